@@ -26,10 +26,10 @@ double clearance_of(const DesignSubject& subject, const BodyPlan& plan) {
                     "cuts into the bottom layer ({:.4g} mm): it cannot be cast so",
                     plan.axis_height * 1e3, radius * 1e3, plan.bottom_layer * 1e3));
   if (!(above > 0.0))
-    throw std::invalid_argument(fmt::format(
-        "the measured axis lies {:.4g} mm above the underside, where the largest part (radius {:.4g} mm) stands out of "
-        "a body {:.4g} mm high: it cannot be cast so",
-        plan.axis_height * 1e3, radius * 1e3, plan.height * 1e3));
+    throw std::invalid_argument(
+        fmt::format("the measured axis lies {:.4g} mm above the underside, where the largest part (radius {:.4g} mm) "
+                    "stands out of a body {:.4g} mm high: it cannot be cast so",
+                    plan.axis_height * 1e3, radius * 1e3, plan.height * 1e3));
   return std::min(below, 0.5 * subject.design.body.side_wall);
 }
 

@@ -122,8 +122,7 @@ void require_header_can_say(const Model& model) {
   if (!model.magnetics().distant_pairs().empty())
     throw std::invalid_argument(
         "a C header has the pairs of neighbours alone; this actuator has coils and magnets that act on each other "
-        "across "
-        "more than one joint");
+        "across more than one joint");
 }
 
 // Which current the header speaks of.
@@ -139,8 +138,7 @@ std::string controller_header(const Model& model, const control::ProfileQuality&
   std::string out = fmt::format(
       "/* A soft electromagnetic actuator for a microcontroller, made by coilwright: the profile \"{}\" of the current "
       "{},\n"
-      "   and the lumped model. C99; define CW_REAL as double for more digits. Joint angles are relative, "
-      "zero\n"
+      "   and the lumped model. C99; define CW_REAL as double for more digits. Joint angles are relative, zero\n"
       "   where the chain is straight, positive where a joint opens. Not in it: heat, and what moves the current. */\n"
       "#ifndef CW_ACTUATOR_H\n#define CW_ACTUATOR_H\n\n#include <tgmath.h>\n\n"
       "#ifndef CW_REAL\n#define CW_REAL float\n#endif\n\n",

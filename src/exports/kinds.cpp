@@ -28,9 +28,8 @@ constexpr std::array table = {
                .write_text = &drawing},
     ExportKind{.name = "mould",
                .gives = "parts, bobbin and casting mould as parametric OpenSCAD",
-               .use =
-                   "Render each part that its first lines name: openscad -D 'part=\"mould_lower\"' -o mould_lower.stl "
-                   "mould.scad. The numbers on top may be changed.",
+               .use = "Render each part that its first lines name: openscad -D 'part=\"mould_lower\"' -o "
+                      "mould_lower.stl mould.scad. The numbers on top may be changed.",
                .settings = {},
                .write_text = &mould},
     ExportKind{
@@ -49,14 +48,12 @@ constexpr std::array table = {
                .use = "Load actuator.urdf, and apply what its first lines say: URDF has no springs.",
                .settings = {},
                .write_text = &urdf},
-    ExportKind{
-        .name = "getdp",
-        .gives = "a coil and its magnet as geometry and field problem for Gmsh and GetDP",
-        .use =
-            "In that folder: gmsh -2 -format msh22 pair.geo -o pair.msh && getdp pair.pro -msh pair.msh -solve Solve; "
-            "forces.txt has the force.",
-        .settings = of_fields,
-        .write_text = &getdp},
+    ExportKind{.name = "getdp",
+               .gives = "a coil and its magnet as geometry and field problem for Gmsh and GetDP",
+               .use = "In that folder: gmsh -2 -format msh22 pair.geo -o pair.msh && getdp pair.pro -msh pair.msh "
+                      "-solve Solve; forces.txt has the force.",
+               .settings = of_fields,
+               .write_text = &getdp},
     ExportKind{.name = "femm",
                .gives = "a coil and its magnet as a script for FEMM 4.2",
                .use = "In FEMM 4.2, open pair.lua as a Lua script: it draws, solves and prints the force.",

@@ -34,8 +34,8 @@ Figure differences_figure(std::span<const Comparison> rows) {
   BarChart chart{.id = "differences",
                  .title = "Model less reference, and the band of each difference",
                  .description =
-                     "For each figure of the paper the difference of the model in per cent of the reference, "
-                     "between the two ends of the band in which it must lie.",
+                     "For each figure of the paper the difference of the model in per cent of the reference, between "
+                     "the two ends of the band in which it must lie.",
                  .value_title = "difference, % of the reference",
                  .label_title = "figure",
                  .symbols = true};

@@ -164,10 +164,9 @@ Figure torque_figure(const EvaluatedDesign& evaluated) {
   Chart chart{
       .id = "torque",
       .title = "Torque of each joint over its angle",
-      .description = fmt::format(
-          "Torque of the coil and the magnet next to a joint at {:.4g} A and 20 degC, and what the silicone there "
-          "holds against it. Gravity and magnets further along add to both.",
-          evaluated.point.current),
+      .description = fmt::format("Torque of the coil and the magnet next to a joint at {:.4g} A and 20 degC, and what "
+                                 "the silicone there holds against it. Gravity and magnets further along add to both.",
+                                 evaluated.point.current),
       .x_title = "angle of the joint, deg",
       .y_title = "torque, N mm"};
   add_joint_series(chart, "coil and magnet", angles, drive);
@@ -200,9 +199,9 @@ Figure force_figure(const EvaluatedDesign& evaluated) {
   return figure_of(Chart{
       .id = "force",
       .title = "Force between a coil and its magnet over their gap",
-      .description = fmt::format("Straight in line, at {:.4g} A and 20 degC; positive is repulsion. At the gap of "
-                                 "{:.4g} mm it is {:.4g} N.",
-                                 evaluated.point.current, 1e3 * rest_gap, at_rest),
+      .description = fmt::format(
+          "Straight in line, at {:.4g} A and 20 degC; positive is repulsion. At the gap of {:.4g} mm it is {:.4g} N.",
+          evaluated.point.current, 1e3 * rest_gap, at_rest),
       .x_title = "gap between the faces, mm",
       .y_title = "force, N",
       .series = {std::move(series), std::move(own)}});
@@ -212,13 +211,11 @@ Figure temperature_figure(const EvaluatedDesign& evaluated, const simulation::He
   Chart chart{
       .id = "temperature",
       .title = "Temperature over time",
-      .description = fmt::format(
-          "Means of every coil and magnet from {:.4g} degC on, with {:.4g} A for {:.4g} of the time, at the angles "
-          "where the free finger ends; a limit of a temperature counts the hottest of the poses that are held (cases "
-          "of the "
-          "operating point). {}",
-          evaluated.design.surroundings.ambient, evaluated.point.current, evaluated.point.duty,
-          heating.runaway ? "There is no steady state: it runs away." : ""),
+      .description = fmt::format("Means of every coil and magnet from {:.4g} degC on, with {:.4g} A for {:.4g} of the "
+                                 "time, at the angles where the free finger ends; a limit of a temperature counts the "
+                                 "hottest of the poses that are held (cases of the operating point). {}",
+                                 evaluated.design.surroundings.ambient, evaluated.point.current, evaluated.point.duty,
+                                 heating.runaway ? "There is no steady state: it runs away." : ""),
       .x_title = "time, s",
       .y_title = "temperature, degC",
       .x_scale = AxisScale::logarithmic};

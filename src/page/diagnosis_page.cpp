@@ -202,8 +202,8 @@ Section candidates_section(const Node& diagnosis) {
   BarChart chart{.id = "ranking",
                  .title = "The hypotheses by their gain",
                  .description =
-                     "How much better than the declared model fitted anew, each further number charged: a "
-                     "lead of 6 is odds of 20 to 1, less decides nothing. The 15 best.",
+                     "How much better than the declared model fitted anew, each further number charged: a lead of 6 is "
+                     "odds of 20 to 1, less decides nothing. The 15 best.",
                  .value_title = "gain",
                  .label_title = "effects"};
   std::map<std::string, int> seen;
@@ -229,11 +229,11 @@ Section candidates_section(const Node& diagnosis) {
     section.blocks.emplace_back(Paragraph{"None were compared."});
   else
     section.blocks.emplace_back(TableBlock{.caption = "Hypotheses, best first", .table = std::move(table)});
-  section.blocks.emplace_back(Paragraph{
-      "Residual: rms on the fitted runs over the noise; 1 is noise alone. Gain: as in the figure; below 0 a hypothesis "
-      "explains less than its numbers cost. Gain on runs left out: the share of the squared error above the noise that "
-      "it takes away from runs that its fit has not seen. Those far behind the best were fitted briefly: their gain "
-      "may be larger."});
+  section.blocks.emplace_back(
+      Paragraph{"Residual: rms on the fitted runs over the noise; 1 is noise alone. Gain: as in the figure; below 0 a "
+                "hypothesis explains less than its numbers cost. Gain on runs left out: the share of the squared error "
+                "above the noise that it takes away from runs that its fit has not seen. Those far behind the best "
+                "were fitted briefly: their gain may be larger."});
   return section;
 }
 
@@ -261,8 +261,8 @@ Page diagnosis_page(const std::filesystem::path& folder, const Node& diagnosis, 
   const Node verdict = member_of(diagnosis, "verdict");
   if (verdict.text() == "incomplete")
     throw verdict.error_without_value(
-        "is of a diagnosis that was interrupted: summary.txt has what was known then, and "
-        "there is a page once it has ended (diagnose again)");
+        "is of a diagnosis that was interrupted: summary.txt has what was known then, and there is a page once it has "
+        "ended (diagnose again)");
   const Node summary = summary_of(diagnosis);
   Page page{.title = fmt::format("{}: diagnosis", dataset),
             .verdict = member_of(summary, "verdict").text(),

@@ -70,8 +70,8 @@ Section limits_section(const std::vector<PartLimit>& limits) {
   BarChart chart{.id = "margins",
                  .title = "Margins of the parts",
                  .description =
-                     "How far each part is from its limit, in per cent of the limit. A bar to the left is a "
-                     "limit that is broken; it ends at -100 % where there is no steady value.",
+                     "How far each part is from its limit, in per cent of the limit. A bar to the left is a limit that "
+                     "is broken; it ends at -100 % where there is no steady value.",
                  .value_title = "margin, %",
                  .label_title = "limit"};
   Table table{.header = {"quantity", "value", "limit", "beyond it"}};

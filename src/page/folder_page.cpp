@@ -38,9 +38,10 @@ Page page_of(const std::filesystem::path& folder, const PageInputs& inputs) {
     return page_of(folder, file, document.root(), inputs);
   }
   if (std::filesystem::is_regular_file(folder / "archive.sqlite"))
-    throw text::InputError({.file = folder.string(),
-                            .rule = "has no result yet: its run was killed or is under way; the same command with "
-                                    "--resume goes on with it"});
+    throw text::InputError(
+        {.file = folder.string(),
+         .rule =
+             "has no result yet: its run was killed or is under way; the same command with --resume goes on with it"});
   throw text::InputError(
       {.file = folder.string(),
        .rule = "has neither result.json nor diagnosis.json: it is no folder of size, sweep, pareto or diagnose"});

@@ -40,8 +40,8 @@ std::string verdict_of(const Node& result, const FrontTable& front) {
     ranges.push_back(fmt::format("{} from {} to {}", objective, short_number(least), short_number(most)));
   }
   return fmt::format(
-      "{} designs trade {} against each other: {}. None of them is beaten in every objective by another one "
-      "that was found; {}.",
+      "{} designs trade {} against each other: {}. None of them is beaten in every objective by another one that was "
+      "found; {}.",
       front.rows(), names_text(front.objectives), fmt::join(ranges, ", "), search);
 }
 
@@ -128,14 +128,14 @@ Section convergence_section(const std::filesystem::path& folder) {
   }
   Section section{.id = "convergence", .title = "Convergence"};
   if (series.x.empty()) return section;
-  section.blocks.emplace_back(figure_of(
-      Chart{.id = "search",
-            .title = "How full the front was after so many evaluations",
-            .description = "Hypervolume of the front so far in the frame of the final one: ideal 0, nadir 1, reference "
-                           "1.1. It says how full the front is, not how far it reaches.",
-            .x_title = "evaluation",
-            .y_title = "hypervolume",
-            .series = {std::move(series)}}));
+  section.blocks.emplace_back(
+      figure_of(Chart{.id = "search",
+                      .title = "How full the front was after so many evaluations",
+                      .description = "Hypervolume of the front so far in the frame of the final one: ideal 0, nadir 1, "
+                                     "reference 1.1. It says how full the front is, not how far it reaches.",
+                      .x_title = "evaluation",
+                      .y_title = "hypervolume",
+                      .series = {std::move(series)}}));
   return section;
 }
 
@@ -144,8 +144,8 @@ std::string pictures_text(const FrontTable& front, const PageInputs& inputs) {
   if (!inputs.study) return fmt::format("Sections, motion and actuator files are missing: {}", inputs.why_no_study);
   if (front.rows() <= inputs.most_pictures) return {};
   return fmt::format(
-      "{} of the {} designs, evenly along the front, are drawn and simulated (report --pictures N draws "
-      "more); the tables and the actuator file are there for all.",
+      "{} of the {} designs, evenly along the front, are drawn and simulated (report --pictures N draws more); the "
+      "tables and the actuator file are there for all.",
       inputs.most_pictures, front.rows());
 }
 
@@ -197,10 +197,9 @@ Page front_page(const std::filesystem::path& folder, const Node& result, const P
   page.sections.push_back(std::move(trade));
   Section selection{.id = "selection", .title = "The selected design"};
   if (front.rows() > most_with_quantities)
-    selection.blocks.emplace_back(Paragraph{
-        fmt::format("Of {} designs the page has objectives, variables and margins; every other quantity is in "
-                    "front.csv.",
-                    front.rows())});
+    selection.blocks.emplace_back(Paragraph{fmt::format(
+        "Of {} designs the page has objectives, variables and margins; every other quantity is in front.csv.",
+        front.rows())});
   const std::string missing = pictures_text(front, inputs);
   if (!missing.empty()) selection.blocks.emplace_back(Paragraph{missing});
   selection.blocks.emplace_back(Widget{selection_html});

@@ -133,8 +133,8 @@ std::string to_html(const Page& page, const PageAssets& assets, const Digest& di
   const std::string nonce = digest(body);
   std::string out = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'nonce-{0}'; "
-      "style-src 'nonce-{0}'; img-src data:; base-uri 'none'; form-action 'none'\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'nonce-{0}'; style-src "
+      "'nonce-{0}'; img-src data:; base-uri 'none'; form-action 'none'\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{1}</title>\n<style nonce=\"{0}\">{2}</style>\n"
       "</head>\n<body>\n{3}",

@@ -131,8 +131,7 @@ std::vector<Figure> pose_figures(const BodyPlan& plan, const std::vector<Pose>& 
     const double start = box.left;
     svg += fmt::format(
         "<path class=\"scale\" d=\"M{0:.3f} {1:.3f}v2m0 -1h{2:.0f}m0 -1v2\"/>\n<text class=\"scale-text\" "
-        "x=\"{3:.3f}\" "
-        "y=\"{4:.3f}\">10 mm</text>\n</svg>\n",
+        "x=\"{3:.3f}\" y=\"{4:.3f}\">10 mm</text>\n</svg>\n",
         start, row - 1.0, bar_length, start + bar_length + 1.5, row + 1.0);
     figures.push_back(
         {.id = "pose-" + pose.id, .title = pose.title, .description = said, .content = Drawing{std::move(svg)}});

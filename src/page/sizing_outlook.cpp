@@ -76,8 +76,8 @@ Section assumptions_section(const Node& result) {
   BarChart chart{.id = "choices",
                  .title = "This design under each other modelling choice",
                  .description =
-                     "Value of the objective if one choice of the model is made otherwise, and whether the "
-                     "design then still keeps its limits.",
+                     "Value of the objective if one choice of the model is made otherwise, and whether the design then "
+                     "still keeps its limits.",
                  .value_title = objective_of(result).name,
                  .label_title = "if it is otherwise",
                  .symbols = true};

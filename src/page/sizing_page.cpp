@@ -110,8 +110,8 @@ Section limits_section(const Node& result) {
   BarChart chart{.id = "margins",
                  .title = "Margins",
                  .description =
-                     "How far each limit is from being reached, in per cent of the limit (of an ordinary "
-                     "magnitude where the limit is 0). A bar to the left is a limit that is broken.",
+                     "How far each limit is from being reached, in per cent of the limit (of an ordinary magnitude "
+                     "where the limit is 0). A bar to the left is a limit that is broken.",
                  .value_title = "margin, %",
                  .label_title = "limit"};
   for (const Node& each : member_of(best, "constraints").elements()) {
@@ -145,14 +145,14 @@ Section convergence_section(const std::filesystem::path& folder, const Node& res
     return name == "evaluation" || name == "status" || name == objective;
   });
   require_rows(all, evaluations_of(result));
-  Chart chart{.id = "search",
-              .title = "Every design of the search",
-              .description = fmt::format(
-                  "The best {} so far, and the value of every design that was evaluated; {} ended "
-                  "the search after {} designs.",
-                  objective, cell_of(result, "stop_reason"), cell_of(member_of(result, "evaluations"), "total")),
-              .x_title = "evaluation",
-              .y_title = objective};
+  Chart chart{
+      .id = "search",
+      .title = "Every design of the search",
+      .description = fmt::format(
+          "The best {} so far, and the value of every design that was evaluated; {} ended the search after {} designs.",
+          objective, cell_of(result, "stop_reason"), cell_of(member_of(result, "evaluations"), "total")),
+      .x_title = "evaluation",
+      .y_title = objective};
   for (const auto& [status, name] : {std::pair{"infeasible", "breaks a limit"}, std::pair{"ok", "keeps every limit"}}) {
     Series series{.name = name, .mark = Mark::faint};
     for (std::size_t row = 0; all.has(objective) && row < all.rows(); ++row) {

@@ -133,8 +133,7 @@ MapParts parts_of_sample(const SweepTable& table, const FrontTable& leaders) {
                                calculated("datum._keeps ? datum[quantity] : null", "_value")});
   out.description = fmt::format(
       "{} of {} designs, whose other variables differ too; grey: a limit is broken. Variables whose values are words "
-      "are "
-      "left out.",
+      "are left out.",
       table.samples.size(), table.rows);
   return out;
 }

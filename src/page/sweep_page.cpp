@@ -79,10 +79,9 @@ Section leaders_section(const FrontTable& leaders) {
     for (std::string& field : shown_fields(leaders, row, shown)) cells.push_back(std::move(field));
     table.rows.push_back(std::move(cells));
   }
-  section.blocks.emplace_back(TableBlock{
-      .caption = "Of each configuration the best design in each objective; where none keeps every limit, the "
-                 "one that is nearest to it",
-      .table = std::move(table)});
+  section.blocks.emplace_back(TableBlock{.caption = "Of each configuration the best design in each objective; where "
+                                                    "none keeps every limit, the one that is nearest to it",
+                                         .table = std::move(table)});
   return section;
 }
 
@@ -148,11 +147,11 @@ std::optional<Figure> effect_figure(const SweepTable& table, const FrontTable& l
   std::string id = fmt::format("effect-{}-{}", objective + 1, variable + 1);
   // Each design of a sample has values of its own: a line through them says nothing.
   const std::string lines =
-      table.sampled ? ""
-                    : fmt::format(
-                          "Lines: the best {} that keeps every limit at each value of {}, whatever the other "
-                          "variables are. ",
-                          wanted, name);
+      table.sampled
+          ? ""
+          : fmt::format(
+                "Lines: the best {} that keeps every limit at each value of {}, whatever the other variables are. ",
+                wanted, name);
   Chart chart{.id = id,
               .title = fmt::format("{} over {}", wanted, name),
               .description = fmt::format("{}{} is better. Points: {}.", lines,

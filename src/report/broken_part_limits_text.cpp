@@ -21,8 +21,8 @@ std::string warning_of_parts(std::span<const sizing::BrokenPartLimit> broken, st
   std::string text;
   if (const std::string lines = lines_of(broken, false, designs); !lines.empty())
     text += fmt::format(
-        "\nBEWARE: {} break limits of their parts that the study does not set\n{}"
-        "Limit these quantities in the study's \"constraints\" and run it anew; evaluate says what the limits are.\n",
+        "\nBEWARE: {} break limits of their parts that the study does not set\n{}Limit these quantities in the study's "
+        "\"constraints\" and run it anew; evaluate says what the limits are.\n",
         which, lines);
   if (const std::string lines = lines_of(broken, true, designs); !lines.empty())
     text += fmt::format(

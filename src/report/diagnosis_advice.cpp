@@ -72,8 +72,8 @@ std::string measuring_step(const Diagnosis& diagnosis, const std::vector<std::st
   // Numbers of a fit that does not reach the noise are not measurements.
   if (leaves_structure(diagnosis))
     return fmt::format(
-        "Do not copy the numbers that moved into the actuator file: they may have taken up what is missing. Measure "
-        "by other means {}.",
+        "Do not copy the numbers that moved into the actuator file: they may have taken up what is missing. Measure by "
+        "other means {}.",
         all);
   return fmt::format("Weigh or measure {}, correct the actuator file and diagnose again.", all);
 }
@@ -172,11 +172,11 @@ std::vector<std::string> errors_beyond_noise(const Diagnosis& diagnosis) {
     const bool is_noise_known = errors->noise_floor_rmse > 0.0;
     if (!is_noise_known || errors->after.rmse <= (1.0 + notable_rise) * errors->noise_floor_rmse) continue;
     const units::Unit unit = formats::error_unit(errors->kind);
-    out.push_back(fmt::format(
-        "But on the runs that no fit has seen the error of the {} is {} (rmse), where noise alone makes {}: "
-        "they show something that the fitted runs do not.",
-        formats::name_of(errors->kind), in_unit_text(errors->after.rmse, unit),
-        in_unit_text(errors->noise_floor_rmse, unit)));
+    out.push_back(
+        fmt::format("But on the runs that no fit has seen the error of the {} is {} (rmse), where noise alone makes "
+                    "{}: they show something that the fitted runs do not.",
+                    formats::name_of(errors->kind), in_unit_text(errors->after.rmse, unit),
+                    in_unit_text(errors->noise_floor_rmse, unit)));
   }
   return out;
 }
@@ -199,10 +199,10 @@ std::vector<std::string> next_steps(const formats::DiagnosisReport& report) {
   std::vector<std::string> steps;
   const bool structure = leaves_structure(diagnosis);
   if (!report.refused.empty())
-    steps.push_back(fmt::format(
-        "Do not build on {}. Look at the units of the records and at the declared numbers that act with the "
-        "refused one (turns, gap, magnet, stiffness), then diagnose again.",
-        report.updated_actuator));
+    steps.push_back(
+        fmt::format("Do not build on {}. Look at the units of the records and at the declared numbers that act with "
+                    "the refused one (turns, gap, magnet, stiffness), then diagnose again.",
+                    report.updated_actuator));
   if (!diagnosis.unanswered_runs.empty())
     steps.push_back(
         fmt::format("Look at the film and the wiring of {}. Where no current flowed, leave the run out and diagnose "
@@ -214,10 +214,10 @@ std::vector<std::string> next_steps(const formats::DiagnosisReport& report) {
         "correct them and diagnose again, before anything else; if they do not, what bends the finger at rest is "
         "real.");
   if (!diagnosis.frozen_runs.empty())
-    steps.push_back(fmt::format(
-        "Leave the pictures that stand still out of {} (the warnings say from when on), and diagnose again: "
-        "they were fitted as if the finger had stopped.",
-        fmt::join(diagnosis.frozen_runs, ", ")));
+    steps.push_back(
+        fmt::format("Leave the pictures that stand still out of {} (the warnings say from when on), and diagnose "
+                    "again: they were fitted as if the finger had stopped.",
+                    fmt::join(diagnosis.frozen_runs, ", ")));
   if (!risen_errors(diagnosis).empty() || !errors_beyond_noise(diagnosis).empty())
     steps.emplace_back(
         "Fit a run of the kind that was kept from the fit, too, before anything is built on this result.");
@@ -258,10 +258,10 @@ std::vector<std::string> next_steps(const formats::DiagnosisReport& report) {
         "To learn how small an effect these runs could have shown, describe them as an experiment and run plan: a "
         "smaller one may still be there.");
   if (!structure && !diagnosis.numbers_off.empty())
-    steps.push_back(fmt::format(
-        "Do not build on {}: there its tolerance holds back the number that is off, and others carry what it "
-        "lacks. Go on with that of the new diagnosis.",
-        report.updated_actuator));
+    steps.push_back(
+        fmt::format("Do not build on {}: there its tolerance holds back the number that is off, and others carry what "
+                    "it lacks. Go on with that of the new diagnosis.",
+                    report.updated_actuator));
   else if (!structure && report.refused.empty())
     steps.push_back(fmt::format(
         "{} with {}: {} take it.", steps.empty() ? "Go on" : "Once that is done, go on", report.updated_actuator,

@@ -66,8 +66,7 @@ std::string verdict_sentence(const Diagnosis& diagnosis) {
                          effects);
     case Verdict::incomplete:
       return "INTERRUPTED before there was a conclusion. The declared model was fitted anew, and its effects compared "
-             "as "
-             "far as the\nlist below; nothing is known of runs that no fit has seen. Diagnose again for an answer.";
+             "as far as the\nlist below; nothing is known of runs that no fit has seen. Diagnose again for an answer.";
     case Verdict::unexplained:
       if (may_be_the_camera(diagnosis))
         return "Something is left over that none of the known effects explains. Whether the finger or the camera makes "
@@ -228,10 +227,10 @@ std::vector<std::string> records_to_check(const Diagnosis& diagnosis) {
     out.push_back(
         fmt::format("Alike in {}.", fmt::join(names_of_runs(std::span(diagnosis.unanswered_runs).subspan(1)), ", ")));
   if (!diagnosis.frozen_runs.empty())
-    out.push_back(fmt::format(
-        "CHECK THE CAMERA first. The pictures of {} stand still for a while, and were fitted as if the finger had "
-        "stopped.",
-        fmt::join(diagnosis.frozen_runs, ", ")));
+    out.push_back(
+        fmt::format("CHECK THE CAMERA first. The pictures of {} stand still for a while, and were fitted as if the "
+                    "finger had stopped.",
+                    fmt::join(diagnosis.frozen_runs, ", ")));
   // Effects that bend the rest pose take the place of a zero: what follows is right only if the zero is.
   if (diagnosis.far_first_pose)
     out.push_back(fmt::format("CHECK THE ZERO of the angle first. {}: {}.", diagnosis.far_first_pose->run,

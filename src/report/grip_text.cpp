@@ -57,8 +57,7 @@ std::string outcome_text(const GripAnswer& answer) {
                            : "");
   if (!grasp.holds && grasp.capacity >= grasp.load)
     return fmt::format(
-        "Not held: {}. It creeps out of the fingers: they can carry {:.4g} N, hardly more than its load of "
-        "{:.4g} N.\n",
+        "Not held: {}. It creeps out of the fingers: they can carry {:.4g} N, hardly more than its load of {:.4g} N.\n",
         what, grasp.capacity, grasp.load);
   if (!grasp.holds)
     return fmt::format("Not held: {}. It slips at a load of {:.4g} N; it would need {:.4g} N.\n", what, grasp.capacity,
@@ -168,8 +167,7 @@ std::string to_text(const GripAnswer& answer) {
   if (answer.least_friction) text += '\n' + least_text("friction", *answer.least_friction, "");
   return text + heat_text(answer) + magnets_text(answer) +
          fmt::format(
-             "\n{} such fingers with driver and supply cost {:.0f} USD; the pneumatic gripper of the paper's Table "
-             "III "
+             "\n{} such fingers with driver and supply cost {:.0f} USD; the pneumatic gripper of the paper's Table III "
              "{:.0f} USD.\n",
              fingers == 2 ? "Two" : fmt::format("{}", fingers), answer.cost, actuator::PneumaticGripperCost{}.total()) +
          "\nIt rests on: friction and place of the object as given, rigid segments, coils and magnets at 20 degC, an "

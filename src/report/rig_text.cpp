@@ -72,8 +72,7 @@ std::string to_text(const std::vector<TorqueBenchPoint>& points, const TorqueBen
 std::string to_text(const StiffnessReadings& readings) {
   std::string out = fmt::format(
       "Stiffness gauge: no current, joint {} held open and all others straight, gauge square on the last segment, {} "
-      "mm "
-      "from the joint\n",
+      "mm from the joint\n",
       readings.joint + 1, cell(readings.arm, "arm_mm"));
   if (without_current_the_same(readings)) {
     out += stiffness_table(readings, Fidelity::exact);

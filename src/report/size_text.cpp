@@ -89,8 +89,8 @@ std::string pulses_line(const Study& study, const EvaluatedDesign& best) {
   constexpr double worth_a_line = 5.0;  // per cent, from which `drive` warns
   if (!heat || *heat < worth_a_line) return {};
   return fmt::format(
-      "taken as a steady current: pulses from {} V at {} Hz would make {} % more heat (coilwright drive says "
-      "which do not; the block \"driver\" of a study limits it)\n",
+      "taken as a steady current: pulses from {} V at {} Hz would make {} % more heat (coilwright drive says which do "
+      "not; the block \"driver\" of a study limits it)\n",
       short_number(usual.voltage), short_number(usual.frequency), fmt::format("{:.3g}", *heat));
 }
 
@@ -168,8 +168,8 @@ std::string built_text(const formats::SizeReport& report) {
   if (shortfalls.empty()) return text;
   return text + shortfalls +
          fmt::format(
-             "The search judged every design by {} builds, too few for this; more of them (\"draws\" of the "
-             "study's spread) are the cure.\n",
+             "The search judged every design by {} builds, too few for this; more of them (\"draws\" of the study's "
+             "spread) are the cure.\n",
              report.study.spread->draws);
 }
 

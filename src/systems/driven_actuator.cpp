@@ -138,10 +138,9 @@ Solved solve_warm(const Design& design, const Assembly& assembly, const thermal:
     }
     temperatures += 0.5 * change;
   }
-  throw std::invalid_argument(
-      fmt::format("coil temperature must be given: held for good, this drive heats the coils beyond {} degC, where "
-                  "copper melts",
-                  copper_melts));
+  throw std::invalid_argument(fmt::format(
+      "coil temperature must be given: held for good, this drive heats the coils beyond {} degC, where copper melts",
+      copper_melts));
 }
 
 drive::SteadyCurrent shared(drive::SteadyCurrent current, double share) {

@@ -67,11 +67,10 @@ Try<DriverAnswer> answer_of(const Task& task, const DesignView& design) {
   DriverAnswer out{.most_current = at_full(warm_bank)};
   if (wanted == 0.0) return out;
   if (wanted > out.most_current)
-    return NoValue{
-        .reason = fmt::format("the driver cannot give the current: raise driver.voltage_V or lower current_A; "
-                              "got {:.4g} A in a coil at most, warm, of {:.4g} A",
-                              out.most_current, wanted),
-        .infeasibility = wanted / out.most_current - 1.0};
+    return NoValue{.reason = fmt::format("the driver cannot give the current: raise driver.voltage_V or lower "
+                                         "current_A; got {:.4g} A in a coil at most, warm, of {:.4g} A",
+                                         out.most_current, wanted),
+                   .infeasibility = wanted / out.most_current - 1.0};
   const auto setting = [&](const drive::ReducedBank& bank) {
     return duty_for_mean(bank.circuit, driver, task.frequency, wanted / bank.shares.maxCoeff());
   };

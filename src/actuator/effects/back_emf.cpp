@@ -50,8 +50,8 @@ EffectProperties back_emf() {
           .description = "motion drives currents of its own through closed coils or metal nearby",
           .equation = "q -= kappa g (g . omega) for each coil, g = dq/di",
           .source =
-              "u = R i + (dq/di) omega: the flux linkage's slope is the torque per ampere "
-              "(Woodson and Melcher, Electromechanical Dynamics, 1968, ch. 3)",
+              "u = R i + (dq/di) omega: the flux linkage's slope is the torque per ampere (Woodson and Melcher, "
+              "Electromechanical Dynamics, 1968, ch. 3)",
           .check = "film a release once with the coils' circuit open and once closed: closed, it dies away faster",
           .parameters = {from_zero("conductance_1_Ohm",
                                    "1/R of a coil under a voltage drive; less what eddy currents leave")},

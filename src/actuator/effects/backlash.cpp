@@ -81,27 +81,27 @@ class BacklashTerm final : public EffectTerm {
 
 // Last among the magnetics: it carries the torque of what the others have made of them.
 EffectProperties backlash() {
-  return {.id = "backlash",
-          .stage = Stage::magnetics,
-          .description = "a magnet is loose: it crosses a gap before its torque reaches the joint",
-          .equation =
-              "J (theta'' + x'') = q_magnet - seat(x), which is 0 where |x| < gap/2; the joint "
-              "gets seat(x); J = 0.3/(n mobility), seat 1500 rad/s, damping ratio 0.5",
-          .source =
-              "two inertias and a dead zone: Nordin and Gutman, Automatica 38 (2002) 1633; inertia "
-              "and seat are choices",
-          .check =
-              "hold the joint and push the magnet to and fro by hand: it must neither click nor move in its seat; "
-              "measure how far it moves: the gap found here rests on an assumed inertia and bounce",
-          .parameters = {from_zero("gap_deg", "from one side of its seat to the other, as an angle of the joint",
-                                   10.0 / degrees)},
-          .starts = shares_of(
-              [](const RigScale& scale) { return std::clamp(0.02 * scale.angle, 0.05 / degrees, 1.0 / degrees); },
-              {1.0, 5.0, 20.0}),
-          .build = [](Values values, ModelSpec& spec) -> Term {
-            JointVector inertia = inertia_share / spec.chain.joints() * spec.chain.joint_mobility().cwiseInverse();
-            return std::make_unique<BacklashTerm>(spec.magnetics, std::move(inertia), values[0]);
-          }};
+  return {
+      .id = "backlash",
+      .stage = Stage::magnetics,
+      .description = "a magnet is loose: it crosses a gap before its torque reaches the joint",
+      .equation =
+          "J (theta'' + x'') = q_magnet - seat(x), which is 0 where |x| < gap/2; the joint gets seat(x); J = 0.3/(n "
+          "mobility), seat 1500 rad/s, damping ratio 0.5",
+      .source =
+          "two inertias and a dead zone: Nordin and Gutman, Automatica 38 (2002) 1633; inertia and seat are choices",
+      .check =
+          "hold the joint and push the magnet to and fro by hand: it must neither click nor move in its seat; measure "
+          "how far it moves: the gap found here rests on an assumed inertia and bounce",
+      .parameters = {from_zero("gap_deg", "from one side of its seat to the other, as an angle of the joint",
+                               10.0 / degrees)},
+      .starts =
+          shares_of([](const RigScale& scale) { return std::clamp(0.02 * scale.angle, 0.05 / degrees, 1.0 / degrees); },
+                    {1.0, 5.0, 20.0}),
+      .build = [](Values values, ModelSpec& spec) -> Term {
+        JointVector inertia = inertia_share / spec.chain.joints() * spec.chain.joint_mobility().cwiseInverse();
+        return std::make_unique<BacklashTerm>(spec.magnetics, std::move(inertia), values[0]);
+      }};
 }
 
 }  // namespace coilwright::actuator::effects

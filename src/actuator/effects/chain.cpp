@@ -50,12 +50,11 @@ EffectProperties rotor_inertia() {
       .description = "the rotors of inner joints' motors turn with their joints, through a gear",
       .equation = "M_jj -> M_jj + J, every joint but the first, J = ratio^2 rotor inertia",
       .source =
-          "kinetic energy of a rotor that a gear turns with a joint: Spong, J. Dyn. Syst. Meas. Control "
-          "109 (1987) 310, without the elasticity",
+          "kinetic energy of a rotor that a gear turns with a joint: Spong, J. Dyn. Syst. Meas. Control 109 (1987) "
+          "310, without the elasticity",
       .check = "turn an inner joint quickly by hand with its link unscrewed: what it resists with is the rotor",
-      .parameters = {from_zero("inertia_kgm2",
-                               "of the rotor as the joint feels it, every joint but the first, where it is the "
-                               "link's own")},
+      .parameters = {from_zero(
+          "inertia_kgm2", "of the rotor as the joint feels it, every joint but the first, where it is the link's own")},
       .starts = shares_of([](const RigScale& scale) { return scale.torque * scale.angle / (scale.rate * scale.rate); },
                           {0.03, 0.3}),
       .build = [](Values values, ModelSpec& spec) -> Term {

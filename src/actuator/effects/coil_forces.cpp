@@ -72,23 +72,23 @@ EffectProperties off_axis_force() {
 }
 
 EffectProperties coil_coil_force() {
-  return {.id = "coil_coil_force",
-          .stage = Stage::magnetics,
-          .description = "the coils pull at each other",
-          .equation = "q += i_a i_b (force of two coils at unit currents); no parameter",
-          .source = "sums of loops, or uniform windings: docs/theory/magnetics.md",
-          .check =
-              "run one step through the first coil, one through the second and one through both: "
-              "the third exceeds the sum",
-          .starts = [](const RigScale& /*scale*/) { return Starts{{}}; },
-          .build = [](Values /*values*/, ModelSpec& spec) -> Term {
-            std::vector<DistantPair> far = spec.magnetics.distant_pairs();
-            const std::vector<DistantPair> coils = spec.coil_row->pairs();
-            far.insert(far.end(), coils.begin(), coils.end());
-            spec.magnetics = MagneticStage(spec.magnetics.hinge_pairs(), std::move(far));
-            return nullptr;
-          },
-          .inapplicable = without_unknown_coil_pairs};
+  return {
+      .id = "coil_coil_force",
+      .stage = Stage::magnetics,
+      .description = "the coils pull at each other",
+      .equation = "q += i_a i_b (force of two coils at unit currents); no parameter",
+      .source = "sums of loops, or uniform windings: docs/theory/magnetics.md",
+      .check =
+          "run one step through the first coil, one through the second and one through both: the third exceeds the sum",
+      .starts = [](const RigScale& /*scale*/) { return Starts{{}}; },
+      .build = [](Values /*values*/, ModelSpec& spec) -> Term {
+        std::vector<DistantPair> far = spec.magnetics.distant_pairs();
+        const std::vector<DistantPair> coils = spec.coil_row->pairs();
+        far.insert(far.end(), coils.begin(), coils.end());
+        spec.magnetics = MagneticStage(spec.magnetics.hinge_pairs(), std::move(far));
+        return nullptr;
+      },
+      .inapplicable = without_unknown_coil_pairs};
 }
 
 EffectProperties force_gain() {
@@ -97,11 +97,9 @@ EffectProperties force_gain() {
           .description = "all forces of the coils are off by one factor: remanence, turns or current sensor",
           .equation = "f -> gamma f",
           .source =
-              "the force is a product of remanence, turns and current: Ravaud et al., IEEE Trans. "
-              "Magn. 46 (2010) 3585",
+              "the force is a product of remanence, turns and current: Ravaud et al., IEEE Trans. Magn. 46 (2010) 3585",
           .check =
-              "measure one torque or force at rest under a known current (runs of kind static_torque or "
-              "blocked_force)",
+              "measure one torque or force at rest under a known current (runs of kind static_torque or blocked_force)",
           .parameters = {about_one("gain", "real over declared force of a coil at a current", 10.0)},
           .starts = always({0.9, 1.1}),
           .build = [](Values values, ModelSpec& /*spec*/) -> Term { return std::make_unique<GainTerm>(values[0]); }};

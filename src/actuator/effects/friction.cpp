@@ -120,11 +120,11 @@ EffectProperties stribeck_friction() {
       .stage = Stage::hinge,
       .description = "friction at the hinges or segment faces that falls once they slide",
       .equation =
-          "q -= tau_c (1 + (rho - 1) exp(-(omega/omega_s)^2)) sgn(omega), every joint; "
-          "sticks up to rho tau_c, on bristles of 1500 rad/s",
+          "q -= tau_c (1 + (rho - 1) exp(-(omega/omega_s)^2)) sgn(omega), every joint; sticks up to rho tau_c, on "
+          "bristles of 1500 rad/s",
       .source =
-          "LuGre with Stribeck's fall: Canudas de Wit et al., IEEE Trans. Autom. Control 40 "
-          "(1995) 419, eqs. (4) and (5)",
+          "LuGre with Stribeck's fall: Canudas de Wit et al., IEEE Trans. Autom. Control 40 (1995) 419, eqs. (4) and "
+          "(5)",
       .check = friction_check,
       .parameters =
           {torque_parameter,
@@ -157,8 +157,8 @@ EffectProperties dry_friction() {
           .description = "Coulomb friction at the hinges or segment faces",
           .equation = "q -= tau_c sgn(omega), every joint; sticks up to tau_c, on bristles of 1500 rad/s",
           .source =
-              "LuGre without Stribeck: Canudas de Wit et al., IEEE Trans. Autom. Control 40 (1995) "
-              "419; Astrom and Canudas de Wit, IEEE Control Syst. Mag. 28 (2008) 101",
+              "LuGre without Stribeck: Canudas de Wit et al., IEEE Trans. Autom. Control 40 (1995) 419; Astrom and "
+              "Canudas de Wit, IEEE Control Syst. Mag. 28 (2008) 101",
           .check = friction_check,
           .parameters = {torque_parameter},
           .further = &kind_of<stribeck_friction>(),
@@ -174,14 +174,14 @@ EffectProperties load_friction() {
       .stage = Stage::hinge,
       .description = "friction of gears and bearings that grows with the torque they pass on",
       .equation =
-          "q -= mu |q_drive| sgn(omega), every joint, q_drive the torque of its motor; sticks up to "
-          "mu |q_drive|, on bristles of 1500 rad/s",
+          "q -= mu |q_drive| sgn(omega), every joint, q_drive the torque of its motor; sticks up to mu |q_drive|, on "
+          "bristles of 1500 rad/s",
       .source =
-          "load-dependent part of the friction of a robot's joint: Bittencourt and Gunnarsson, J. Dyn. "
-          "Syst. Meas. Control 134 (2012) 051013, linear in the magnitude of the joint's torque",
+          "load-dependent part of the friction of a robot's joint: Bittencourt and Gunnarsson, J. Dyn. Syst. Meas. "
+          "Control 134 (2012) 051013, linear in the magnitude of the joint's torque",
       .check =
-          "move a load slowly up and down through one pose and read the motor's torque: half of their "
-          "difference grows with the load",
+          "move a load slowly up and down through one pose and read the motor's torque: half of their difference grows "
+          "with the load",
       .parameters = {from_zero("coefficient", "friction over the magnitude of the drive's torque, every joint", 1.0)},
       .starts = always({0.03, 0.2}),
       .build = [](Values values, ModelSpec& spec) -> Term {

@@ -133,8 +133,8 @@ EffectProperties magnet_heating() {
       .description = "warm magnets lose remanence, so the force fades at a given current",
       .equation = "f -> f max(1 - x, 0), x' = (a <i^2> - x)/T, x = beta dT, <i^2>: mean over the coils",
       .source =
-          "reversible temperature coefficient of remanence, 0.09 to 0.12 %/K for NdFeB (IEC "
-          "60404-8-1), and one heat capacity",
+          "reversible temperature coefficient of remanence, 0.09 to 0.12 %/K for NdFeB (IEC 60404-8-1), and one heat "
+          "capacity",
       .check = "repeat one step cold and right after a long hold, and take the magnet's temperature",
       .parameters = heat_parameters("loss_1_A2", "share of the force lost in the steady state per square ampere",
                                     "thermal time constant of the magnets"),

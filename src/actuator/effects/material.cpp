@@ -114,8 +114,8 @@ EffectProperties mullins(std::string_view description) {
           .description = description,
           .equation = "k -> k (1 - d (1 - exp(-theta_max/theta_0))), theta_max the largest |theta| so far, every joint",
           .source =
-              "Mullins, Rubber Chem. Technol. 42 (1969) 339; the exponential as in Ogden and Roxburgh's "
-              "pseudo-elastic softening (Proc. R. Soc. A 455, 1999) to first order",
+              "Mullins, Rubber Chem. Technol. 42 (1969) 339; the exponential as in Ogden and Roxburgh's pseudo-elastic "
+              "softening (Proc. R. Soc. A 455, 1999) to first order",
           .check = "repeat one small step before and after the largest bend, and again next day",
           .build = [](Values values, ModelSpec& spec) -> Term {
             return std::make_unique<MullinsTerm>(stiffnesses(spec), values[0], values[1],
@@ -169,8 +169,8 @@ EffectProperties hysteresis() {
           .description = "the material's loop does not depend on how fast it is gone through",
           .equation = "q -= a z, z' = gamma (omega - |omega| z), every joint",
           .source =
-              "Bouc, 4th Conf. on Nonlinear Oscillation, Prague 1967; Wen, J. Eng. Mech. Div. ASCE "
-              "102 (1976) 249, with n = 1 and no pinching: Dahl",
+              "Bouc, 4th Conf. on Nonlinear Oscillation, Prague 1967; Wen, J. Eng. Mech. Div. ASCE 102 (1976) 249, "
+              "with n = 1 and no pinching: Dahl",
           .check = "go up and down through the same currents slowly and compare the angles at rest",
           .parameters = {from_zero("amplitude_Nmm", "torque between middle and edge of the loop"),
                          {.key = "sharpness_1_rad",

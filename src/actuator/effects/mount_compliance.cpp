@@ -88,23 +88,23 @@ double fastest_start(const RigScale& scale) {
 
 // What the mount has with the usual damping and with one of its own.
 EffectProperties mount() {
-  return {.id = "mount_compliance",
-          .stage = Stage::chain,
-          .description = "the mount gives way: a mass on a spring that moves with the finger",
-          .equation =
-              "M theta'' + p X'' = q, p . theta'' + (m/mu + m) (X'' + 2 zeta w X' + w^2 X) + p' . theta' = 0, "
-              "zeta = 0.05 unless given, p = d(momentum)/d(rates), m of the chain",
-          .source =
-              "Lagrange's equations of a chain on a sliding base (Goldstein, Classical Mechanics, ch. 1); damping "
-              "a choice",
-          .check = "repeat one step with the mount clamped hard, or tap it and film whether it moves",
-          .build = [](Values values, ModelSpec& spec) -> Term {
-            if (!(values[1] > 1e-9)) return nullptr;  // a mount a thousand million times as heavy
-            return std::make_unique<MountTerm>(
-                spec.chain, MountTerm::Spec{.frequency = 2.0 * std::numbers::pi * values[0],
-                                            .mass_ratio = values[1],
-                                            .damping_ratio = values.size() > 2 ? values[2] : usual_damping_ratio});
-          }};
+  return {
+      .id = "mount_compliance",
+      .stage = Stage::chain,
+      .description = "the mount gives way: a mass on a spring that moves with the finger",
+      .equation =
+          "M theta'' + p X'' = q, p . theta'' + (m/mu + m) (X'' + 2 zeta w X' + w^2 X) + p' . theta' = 0, zeta = 0.05 "
+          "unless given, p = d(momentum)/d(rates), m of the chain",
+      .source =
+          "Lagrange's equations of a chain on a sliding base (Goldstein, Classical Mechanics, ch. 1); damping a choice",
+      .check = "repeat one step with the mount clamped hard, or tap it and film whether it moves",
+      .build = [](Values values, ModelSpec& spec) -> Term {
+        if (!(values[1] > 1e-9)) return nullptr;  // a mount a thousand million times as heavy
+        return std::make_unique<MountTerm>(
+            spec.chain, MountTerm::Spec{.frequency = 2.0 * std::numbers::pi * values[0],
+                                        .mass_ratio = values[1],
+                                        .damping_ratio = values.size() > 2 ? values[2] : usual_damping_ratio});
+      }};
 }
 
 // The damping told by the records: a mount that rings for longer than the usual one, or not at all.

@@ -41,8 +41,8 @@ EffectProperties static_attraction() {
           .description = "iron or another magnet nearby pulls or pushes without any current",
           .equation = "q_1 += a ((1 + c^2)/((1 - s theta_1/r)^2 + c^2))^2, c = 1/2",
           .source =
-              "a dipole's force on its image in iron falls with the fourth power of the distance "
-              "(Jackson, Classical Electrodynamics, ch. 5); c is a choice",
+              "a dipole's force on its image in iron falls with the fourth power of the distance (Jackson, Classical "
+              "Electrodynamics, ch. 5); c is a choice",
           .check = "look for iron or another magnet near the finger, take it away and film one release again",
           .parameters = {about_zero("torque_Nmm", "torque at angle zero, opening positive"),
                          {.key = "range_deg",

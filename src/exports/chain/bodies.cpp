@@ -82,9 +82,9 @@ std::string model_name(const Origin& origin) {
 std::string head_comment(const Origin& origin, std::string_view use, std::string_view remark,
                          const std::vector<std::string>& left_out) {
   std::string text = fmt::format(
-      "\n  {}{}\n  SI units. Hangs along -z where all joints are 0; a positive angle bends it towards +x.\n{}"
-      "  The lower limit of a joint is where its faces meet; the upper one is where its torque ceases to be known, and "
-      "no\n  stop of the actuator.{}\n",
+      "\n  {}{}\n  SI units. Hangs along -z where all joints are 0; a positive angle bends it towards +x.\n{}  The "
+      "lower limit of a joint is where its faces meet; the upper one is where its torque ceases to be known, and no\n  "
+      "stop of the actuator.{}\n",
       origin.name.empty() ? "Actuator" : text::one_line(origin.name),
       origin.made_by.empty() ? "." : ". Made by " + origin.made_by + ".", use, remark);
   for (const std::string& line : left_out) text += fmt::format("  Left out: {}.\n", line);

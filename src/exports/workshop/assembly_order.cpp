@@ -86,8 +86,7 @@ std::string remark_on_starts(const AssemblyOrder& order, const Recipe& recipe, c
   if (!between || winding.wire.insulated_diameter <= recipe.coil_dip) return "";
   return fmt::format(
       " Where it says neither, the start crosses a wall of {:.3g} mm with a wire of {:.3g} mm, and that gap grows by "
-      "the "
-      "difference.",
+      "the difference.",
       in_mm(recipe.coil_dip), in_mm(winding.wire.insulated_diameter));
 }
 
@@ -95,41 +94,34 @@ std::vector<std::string> steps_of(const DesignSubject& subject, const AssemblyOr
                                   const Recipe& recipe, const WindingSheet& winding) {
   const BodyPlan& plan = cast.plan;
   return {
-      fmt::format(
-          "Wind {} coil{} by the winding sheet: mark the face that will look towards the tip, and seen from it "
-          "lead the wire clockwise from its start at the bore. The start leaves the bore over the face that the "
-          "table names, where no magnet will be.{} Mark the start. Fix the turns, take the bobbin out, and compare "
-          "the resistance with the sheet.",
-          winding.coils, winding.coils == 1 ? "" : "s", remark_on_starts(order, recipe, winding)),
-      std::string(
-          "Find the north face of each magnet with a compass (the end of the needle that points north turns away "
-          "from it) and mark it."),
+      fmt::format("Wind {} coil{} by the winding sheet: mark the face that will look towards the tip, and seen from it "
+                  "lead the wire clockwise from its start at the bore. The start leaves the bore over the face that "
+                  "the table names, where no magnet will be.{} Mark the start. Fix the turns, take the bobbin out, and "
+                  "compare the resistance with the sheet.",
+                  winding.coils, winding.coils == 1 ? "" : "s", remark_on_starts(order, recipe, winding)),
+      std::string("Find the north face of each magnet with a compass (the end of the needle that points north turns "
+                  "away from it) and mark it."),
       subject.design.bottom_silicone
-          ? fmt::format(
-                "Mix and de-air the batch of the bottom layer and pour it into the mould, {:.4g} mm high. While "
-                "it is still tacky, mix and de-air the next batch and pour the main body onto it.",
-                in_mm(plan.bottom_layer))
+          ? fmt::format("Mix and de-air the batch of the bottom layer and pour it into the mould, {:.4g} mm high. "
+                        "While it is still tacky, mix and de-air the next batch and pour the main body onto it.",
+                        in_mm(plan.bottom_layer))
           : std::string("Mix and de-air the first batch. Pour the main body into the mould."),
-      fmt::format(
-          "Dip all coils and magnets whole into what is left of it, once. One dip must leave a wall of {:.3g} mm "
-          "on a face (the source paper's: 0.3 mm); wipe the round side so that no more than {:.3g} mm stay there. "
-          "Let all of it cure for 12 hours at room temperature; the magnets bear {:.4g} degC at most.",
-          in_mm(recipe.coil_dip), in_mm(cast.clearance), subject.design.magnet.temperature_limit),
+      fmt::format("Dip all coils and magnets whole into what is left of it, once. One dip must leave a wall of {:.3g} "
+                  "mm on a face (the source paper's: 0.3 mm); wipe the round side so that no more than {:.3g} mm stay "
+                  "there. Let all of it cure for 12 hours at room temperature; the magnets bear {:.4g} degC at most.",
+                  in_mm(recipe.coil_dip), in_mm(cast.clearance), subject.design.magnet.temperature_limit),
       fmt::format("Mix the batch of the second dip and dip the magnets again, to a wall of {:.3g} mm on each face. The "
-                  "coils keep "
-                  "their {:.3g} mm: the pockets leave no room for more. Let it cure for 12 hours.",
+                  "coils keep their {:.3g} mm: the pockets leave no room for more. Let it cure for 12 hours.",
                   in_mm(recipe.magnet_dip), in_mm(recipe.coil_dip)),
       "Do the checks before bonding, below.",
-      fmt::format(
-          "Mix the last batch. Lay the parts into the pockets of the main body in the order and sense of the table, "
-          "marked faces of the coils towards the tip, wall against wall. Lead the wires out at the top. Fill the bores "
-          "and the pockets up to the upside of the body, and let it cure for 12 hours.{}",
-          remark_on_magnets(subject.assembly.magnets)),
-      fmt::format(
-          "Solder flexible silicone wires to the leads. Cut the slits across the body at the places of the joints, "
-          "between wall and wall, from the upside down to {:.4g} mm above the underside, and no deeper: what is "
-          "left is the hinge.",
-          in_mm(plan.bottom_layer)),
+      fmt::format("Mix the last batch. Lay the parts into the pockets of the main body in the order and sense of the "
+                  "table, marked faces of the coils towards the tip, wall against wall. Lead the wires out at the top. "
+                  "Fill the bores and the pockets up to the upside of the body, and let it cure for 12 hours.{}",
+                  remark_on_magnets(subject.assembly.magnets)),
+      fmt::format("Solder flexible silicone wires to the leads. Cut the slits across the body at the places of the "
+                  "joints, between wall and wall, from the upside down to {:.4g} mm above the underside, and no "
+                  "deeper: what is left is the hinge.",
+                  in_mm(plan.bottom_layer)),
       "Do the checks after cutting, below.",
   };
 }
@@ -141,8 +133,8 @@ std::string cell_text(const WindingSheet& winding) {
     return fmt::format("A cell of {:.2g} V drives {:.3g} A through one coil, below the {:.3g} A of its wire",
                        cell_voltage, current, winding.current_limit);
   return fmt::format(
-      "A cell of {:.2g} V would drive {:.3g} A through one coil, more than the {:.3g} A of its wire: put "
-      "a resistor of {:.2g} ohm in series, or touch for a moment only",
+      "A cell of {:.2g} V would drive {:.3g} A through one coil, more than the {:.3g} A of its wire: put a resistor of "
+      "{:.2g} ohm in series, or touch for a moment only",
       cell_voltage, current, winding.current_limit, cell_voltage / winding.current_limit - resistance);
 }
 
@@ -158,8 +150,8 @@ std::string operation_text(const DesignSubject& subject) {
   const thermal::CurrentLimits limits =
       thermal::current_limits(actuator::heat_network(subject.design, subject.assembly, straight));
   std::string text = fmt::format(
-      "In use. Straight, at {:.4g} degC around it, the actuator holds {:.3g} A {} for good; then {} at its "
-      "limit. From {:.3g} A on nothing holds its temperature: it burns.",
+      "In use. Straight, at {:.4g} degC around it, the actuator holds {:.3g} A {} for good; then {} at its limit. From "
+      "{:.3g} A on nothing holds its temperature: it burns.",
       subject.design.surroundings.ambient, limits.for_good(), coils_of(subject.design),
       limits.coils <= limits.magnets ? "the hottest coil is" : "the hottest magnet is", limits.runaway);
   if (subject.design.choices.film == actuator::FilmChoice::calibrated) {
@@ -182,21 +174,19 @@ std::vector<std::string> checks_of(const DesignSubject& subject, const AssemblyO
       "Before bonding. " + cell_text(winding) +
       ". Connect its plus pole to the start of a coil and look at the marked face with a compass: it is a south pole, "
       "and draws the end of the needle that points north. If it does not, the coil is wound the other way round: "
-      "exchange "
-      "the names of its leads."};
+      "exchange the names of its leads."};
   for (const JointRow& joint : order.joints)
     if (joint.effect != "nearly nothing")
       checks.push_back(
-          fmt::format("Before bonding, joint {}. Hold the two parts in front of each other as they will lie, "
-                      "with the cell's plus pole at the coil's positive lead: the current {}.",
+          fmt::format("Before bonding, joint {}. Hold the two parts in front of each other as they will lie, with the "
+                      "cell's plus pole at the coil's positive lead: the current {}.",
                       joint.number, joint.effect == "pushes apart" ? "pushes them apart" : "pulls them together"));
   const auto magnets = std::ranges::count(order.parts, ComponentKind::magnet, &PartRow::kind);
-  checks.push_back(fmt::format(
-      "After cutting. No lead may have contact with another coil. With the positive leads of all coils at plus, each "
-      "joint does as the table of joints says: the slit opens where the current pushes apart{}. With the cell reversed "
-      "it "
-      "does the opposite.",
-      magnets > 1 ? ", unless the magnets hold it against so small a current" : ""));
+  checks.push_back(
+      fmt::format("After cutting. No lead may have contact with another coil. With the positive leads of all coils at "
+                  "plus, each joint does as the table of joints says: the slit opens where the current pushes apart{}. "
+                  "With the cell reversed it does the opposite.",
+                  magnets > 1 ? ", unless the magnets hold it against so small a current" : ""));
   checks.push_back(operation_text(subject));
   return checks;
 }

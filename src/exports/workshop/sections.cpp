@@ -95,16 +95,14 @@ std::string winding_section(const WindingSheet& sheet) {
       readings(sheet));
   text += fmt::format(
       "<p>Between the ends of the leads, both of them included ({}). The limits are those of the wire's diameter as it "
-      "is "
-      "sold ({}). A diameter 0.1 mm larger than the sheet's adds {}. A layer missing at the outside shows as "
-      "{} less, one turn of it as {}.</p>\n",
+      "is sold ({}). A diameter 0.1 mm larger than the sheet's adds {}. A layer missing at the outside shows as {} "
+      "less, one turn of it as {}.</p>\n",
       ohm(sheet.lead_resistance), sheet.wire.awg ? "NEMA MW 1000" : "IEC 60317-0-1",
       ohm(reading_of_wider_coil(sheet, 0.1e-3)), ohm(last_layer), ohm(last_layer / sheet.turns_in_layer));
   if (sheet.resistance_factor != 1.0)
     text += fmt::format(
         "<p>The design has a measured resistance of {} a coil, {:.3g} times what its copper gives; the sheet follows "
-        "the "
-        "measured one.</p>\n",
+        "the measured one.</p>\n",
         ohm(sheet.coil_resistance), sheet.resistance_factor);
   return text + "<h2>Layer by layer</h2>\n" + layers(sheet) + "</section>\n";
 }
@@ -120,8 +118,7 @@ std::string bill_section(const std::vector<BillRow>& rows) {
   return "<section class=\"page\">\n<h2>Bill of materials</h2>\n" +
          html_table({"item", "specification", "quantity", "price, US$"}, cells) +
          "<p>Prices are those of the source paper's Table III, the wire's scaled with the copper, the magnets' with "
-         "their "
-         "volume and grade; that of silicone and moulds is not scaled.</p>\n</section>\n";
+         "their volume and grade; that of silicone and moulds is not scaled.</p>\n</section>\n";
 }
 
 std::string recipe_section(const Recipe& recipe) {

@@ -151,8 +151,8 @@ std::string doubts_text(const actuator::Design& design) {
   std::string text;
   for (const actuator::CalibrationDoubt& each : actuator::calibration_doubts(design))
     text += fmt::format(
-        "\nMIND: the {} that was measured is {:.3g} times what the dimensions give: was it measured on "
-        "this actuator?\n",
+        "\nMIND: the {} that was measured is {:.3g} times what the dimensions give: was it measured on this "
+        "actuator?\n",
         each.quantity, each.factor);
   return text;
 }

@@ -245,8 +245,7 @@ Grasp grasp(const Gripper& gripper, const Object& object, const GraspTask& task)
   if (fingers > 2 && !object.is_round_about_the_axis())
     throw std::invalid_argument(
         fmt::format("object must be a sphere or an upright_cylinder with its centre on the gripper's axis for more "
-                    "than two fingers; "
-                    "got a {} with its centre at {:.4g} mm",
+                    "than two fingers; got a {} with its centre at {:.4g} mm",
                     name_of(object.shape), object.centre.x() * 1e3));
   // Fingers that all do the same carry the same: any two of them hold their share as two alone do, each pushed by all
   // others' magnets.
@@ -258,9 +257,11 @@ Grasp grasp(const Gripper& gripper, const Object& object, const GraspTask& task)
   out.capacity *= pairs;
   const double overlap = std::max(gripper.overlap_of_neighbours(out.left), gripper.overlap_of_neighbours(out.right));
   if (overlap > 0.0)
-    throw NoRoom(overlap, fmt::format("the {} fingers must leave each other room around the object; got {:.3g} mm of "
-                                      "overlap between neighbours",
-                                      fingers, overlap * 1e3));
+    throw NoRoom(
+        overlap,
+        fmt::format(
+            "the {} fingers must leave each other room around the object; got {:.3g} mm of overlap between neighbours",
+            fingers, overlap * 1e3));
   return out;
 }
 

@@ -65,10 +65,10 @@ Gripper::Gripper(const actuator::Design& finger, const Mounting& mounting)
     throw std::invalid_argument("gripper: the fingers must have no effects with states of their own");
   const double overlap = overlap_of_neighbours(JointVector::Zero(assembly_.model.joints()));
   if (overlap > 0.0)
-    throw std::invalid_argument(fmt::format(
-        "mounting.spacing must leave {} straight fingers, {:.4g} mm wide, beside each other; got {:.4g} mm, "
-        "where neighbours overlap by {:.3g} mm",
-        mounting.fingers, assembly_.dimensions.width * 1e3, mounting.spacing * 1e3, overlap * 1e3));
+    throw std::invalid_argument(
+        fmt::format("mounting.spacing must leave {} straight fingers, {:.4g} mm wide, beside each other; got {:.4g} "
+                    "mm, where neighbours overlap by {:.3g} mm",
+                    mounting.fingers, assembly_.dimensions.width * 1e3, mounting.spacing * 1e3, overlap * 1e3));
 }
 
 double Gripper::overlap_of_neighbours(const JointVector& angles) const {

@@ -1,4 +1,4 @@
-#include "report/assumptions_text.hpp"
+#include "report/study_parts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +9,6 @@
 
 #include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/report/text_table.hpp"
-#include "report/design_text.hpp"
 
 namespace coilwright::report {
 namespace {

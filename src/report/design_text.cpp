@@ -1,4 +1,4 @@
-#include "report/design_text.hpp"
+#include "report/study_parts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -21,6 +21,14 @@ struct ValueText {
   std::string operator()(double value) const { return short_number(value); }
   std::string operator()(std::string_view word) const { return std::string(word); }
 };
+
+std::string lines_of(std::span<const sizing::BrokenPartLimit> broken, bool conditional, std::size_t designs) {
+  std::string text;
+  for (const sizing::BrokenPartLimit& each : broken)
+    if (each.conditional == conditional)
+      text += fmt::format("  {}: {} of {} designs: {}\n", each.quantity, each.designs, designs, each.consequence);
+  return text;
+}
 
 }  // namespace
 
@@ -52,6 +60,22 @@ std::string reasons_for_infeasibility(const Study& study, const Evaluation& eval
                                 readable_unit(formats::difference_unit(study.limits[i].quantity))));
   for (std::string& text : texts) text.erase(text.find_last_not_of(' ') + 1);
   return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string warning_of_parts(std::span<const sizing::BrokenPartLimit> broken, std::string_view which,
+                             std::size_t designs) {
+  std::string text;
+  if (const std::string lines = lines_of(broken, false, designs); !lines.empty())
+    text += fmt::format(
+        "\nBEWARE: {} break limits of their parts that the study does not set\n{}Limit these quantities in the study's "
+        "\"constraints\" and run it anew; evaluate says what the limits are.\n",
+        which, lines);
+  if (const std::string lines = lines_of(broken, true, designs); !lines.empty())
+    text += fmt::format(
+        "\nMIND what {} need, or give up\n{}Where that will not do, limit these quantities in the study's "
+        "\"constraints\"; evaluate says what the limits are.\n",
+        which, lines);
+  return text;
 }
 
 }  // namespace coilwright::report

@@ -1,4 +1,4 @@
-#include "report/diagnosis_advice.hpp"
+#include "report/diagnosis_parts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,8 +7,6 @@
 #include <cmath>
 
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
-#include "report/diagnosis_numbers.hpp"
-#include "report/diagnosis_numbers_off.hpp"
 
 namespace coilwright::report {
 namespace {

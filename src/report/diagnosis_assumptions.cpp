@@ -1,4 +1,4 @@
-#include "report/diagnosis_assumptions.hpp"
+#include "report/diagnosis_parts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "coilwright/report/text_table.hpp"
-#include "report/diagnosis_numbers.hpp"
 
 namespace coilwright::report {
 namespace {

@@ -1,4 +1,4 @@
-#include "report/diagnosis_correction.hpp"
+#include "report/diagnosis_parts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,8 +6,6 @@
 #include <vector>
 
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
-#include "report/diagnosis_advice.hpp"
-#include "report/diagnosis_numbers.hpp"
 
 namespace coilwright::report {
 namespace {

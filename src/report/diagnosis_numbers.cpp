@@ -1,4 +1,4 @@
-#include "report/diagnosis_numbers.hpp"
+#include "report/diagnosis_parts.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "report/diagnosis_numbers_off.hpp"
+#include "report/diagnosis_parts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "coilwright/measurement/compare/decision_thresholds.hpp"
-#include "report/diagnosis_numbers.hpp"
 
 namespace coilwright::report {
 namespace {

@@ -1,4 +1,4 @@
-#include "report/diagnosis_rivals.hpp"
+#include "report/diagnosis_parts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,7 +14,6 @@
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
 #include "coilwright/measurement/compare/decision_thresholds.hpp"
 #include "coilwright/report/text_table.hpp"
-#include "report/diagnosis_numbers.hpp"
 
 namespace coilwright::report {
 namespace {

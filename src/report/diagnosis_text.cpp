@@ -15,12 +15,7 @@
 #include "coilwright/measurement/compare/decision_thresholds.hpp"
 #include "coilwright/report/diagnosis_text.hpp"
 #include "coilwright/report/text_table.hpp"
-#include "report/diagnosis_advice.hpp"
-#include "report/diagnosis_assumptions.hpp"
-#include "report/diagnosis_correction.hpp"
-#include "report/diagnosis_numbers.hpp"
-#include "report/diagnosis_numbers_off.hpp"
-#include "report/diagnosis_rivals.hpp"
+#include "report/diagnosis_parts.hpp"
 
 namespace coilwright::report {
 namespace {

@@ -1,4 +1,4 @@
-#include "report/search_text.hpp"
+#include "report/study_parts.hpp"
 
 #include <fmt/format.h>
 

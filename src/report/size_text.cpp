@@ -18,9 +18,7 @@
 #include "coilwright/simulation/part_limits.hpp"
 #include "coilwright/sizing/study/broken_part_limits.hpp"
 #include "coilwright/systems/driver_quantities.hpp"
-#include "report/assumptions_text.hpp"
-#include "report/design_text.hpp"
-#include "report/search_text.hpp"
+#include "report/study_parts.hpp"
 
 namespace coilwright::report {
 namespace {

@@ -8,8 +8,7 @@
 
 #include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/report/text_table.hpp"
-#include "report/broken_part_limits_text.hpp"
-#include "report/design_text.hpp"
+#include "report/study_parts.hpp"
 
 namespace coilwright::report {
 namespace {

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "coilwright/formats/study/result_json.hpp"
+#include "coilwright/formats/study/size_json.hpp"
+#include "coilwright/sizing/study/broken_part_limits.hpp"
+#include "coilwright/sizing/study/design_problem.hpp"
+
+// What the texts of sizing, fronts and sweeps have in common; each part has a file of its name.
+namespace coilwright::report {
+
+// design_text.cpp
+
+/// A variable's value at a coordinate, to read.
+[[nodiscard]] std::string value_text(const sizing::StudyVariable& variable, double coordinate);
+
+/// The variables of a point, in the order of the study.
+[[nodiscard]] std::vector<std::string> variable_texts(const sizing::Study& study, std::span<const double> point);
+
+/// "maximise peak_bending_speed_deg_s".
+[[nodiscard]] std::string objective_text(const sizing::StudyObjective& objective);
+
+/// Why a design is not feasible: its failure, or the limits that it violates and by how much, worst first. Empty for a
+/// feasible design.
+[[nodiscard]] std::string reasons_for_infeasibility(const sizing::Study& study, const sizing::Evaluation& evaluation);
+
+/// A warning that so many of `designs` designs break limits of their parts, and then conditional ones, each limit with
+/// what happens beyond it, and what to do; `which` names the designs: "designs of this front". Empty where none breaks
+/// any.
+[[nodiscard]] std::string warning_of_parts(std::span<const sizing::BrokenPartLimit> broken, std::string_view which,
+                                           std::size_t designs);
+
+// search_text.cpp
+
+/// "1200 keep every limit, 700 do not, and 100 could not be evaluated".
+[[nodiscard]] std::string to_text(const formats::ArchiveCounts& counts);
+
+/// " The last fifth of them added 2.1 % of what the front dominates: .." where a search ended because of its limit of
+/// evaluations, with what to do where there is more to be had; "better the objective" of one objective. Empty
+/// otherwise.
+[[nodiscard]] std::string late_gain_text(sizing::StopReason reason, const sizing::Archive& archive,
+                                         std::size_t evaluations);
+
+/// "the limit of evaluations was reached" for StopReason::evaluation_limit.
+[[nodiscard]] std::string_view meaning_of(sizing::StopReason reason);
+
+// assumptions_text.cpp
+
+/// What the answer of a study rests on: for each other modelling choice the objective and the worst margin of the same
+/// design, whether another design would then be better, and the measurement to make first. Empty where none was
+/// looked at.
+[[nodiscard]] std::string assumptions_text(const formats::SizeReport& report);
+
+}  // namespace coilwright::report

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "coilwright/actuator/assemble.hpp"
-#include "systems/rig/applicable_effects.hpp"
+#include "systems/rig/models_of.hpp"
 
 namespace coilwright::systems::rig {
 

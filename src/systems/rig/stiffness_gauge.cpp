@@ -6,7 +6,6 @@
 #include "coilwright/units/angle.hpp"
 #include "systems/check.hpp"
 #include "systems/rig/models_of.hpp"
-#include "systems/rig/rounding.hpp"
 
 namespace coilwright::systems::rig {
 namespace {

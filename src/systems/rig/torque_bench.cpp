@@ -8,9 +8,7 @@
 #include "coilwright/actuator/design/dimensions.hpp"
 #include "coilwright/units/angle.hpp"
 #include "systems/check.hpp"
-#include "systems/rig/applicable_effects.hpp"
 #include "systems/rig/models_of.hpp"
-#include "systems/rig/rounding.hpp"
 
 namespace coilwright::systems::rig {
 namespace {

@@ -13,10 +13,7 @@
 #include "coilwright/drive/settings.hpp"
 #include "coilwright/thermal/steady_state.hpp"
 #include "systems/check.hpp"
-#include "systems/copper.hpp"
 #include "systems/driven_coils.hpp"
-#include "systems/like_actuators.hpp"
-#include "systems/motional_effect.hpp"
 
 namespace coilwright::systems {
 namespace {

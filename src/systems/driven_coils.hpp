@@ -2,13 +2,27 @@
 
 #include <string_view>
 
+#include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/model/described_effect.hpp"
 #include "coilwright/actuator/model/model.hpp"
 #include "coilwright/actuator/model/model_spec.hpp"
 #include "coilwright/drive/coil_bank.hpp"
 #include "coilwright/drive/driver.hpp"
+#include "coilwright/systems/driven_actuator.hpp"
 
 namespace coilwright::systems {
+
+inline constexpr double copper_melts = 1085.0;  ///< degC, CRC Handbook
+
+/// The coils of `count` >= 1 like actuators on one driver, those of one actuator after those of the other. Between
+/// actuators there is no mutual inductance.
+[[nodiscard]] drive::CoilBank of_like_actuators(const drive::CoilBank& one, int count);
+
+/// Of the straight actuator: a coil whose torque per ampere is g sees the voltage g . omega, and the currents i that
+/// all of these drive through coils and driver damp the motion by g i (Woodson and Melcher, Electromechanical Dynamics,
+/// 1968, ch. 3). The driver is taken as closed by its resistance while on; actuators that share it move alike.
+[[nodiscard]] MotionalEffect motional_effect(const actuator::Assembly& assembly, const drive::CoilBank& bank,
+                                             const drive::Driver& driver);
 
 /// Matrix over the coils of an actuator; no heap.
 using CoilMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mechanics::max_joints + 1,

@@ -9,8 +9,7 @@
 #include "coilwright/actuator/coil_bank.hpp"
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/thermal/temperature_course.hpp"
-#include "systems/copper.hpp"
-#include "systems/like_actuators.hpp"
+#include "systems/driven_coils.hpp"
 #include "systems/require_timing.hpp"
 
 namespace coilwright::systems {

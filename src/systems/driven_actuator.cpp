@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -31,6 +32,12 @@ constexpr int most_rounds = 2000;
 
 // Heat over what the mean current suggests: 2.5 % of current, as a good ammeter reads.
 constexpr double worth_a_warning = 1.05;
+
+// In the order of DriveWarning.
+constexpr std::array<std::string_view, 14> warning_names = {
+    "out_of_reach",     "below_voltage",  "above_voltage",  "above_peak",    "above_cell",
+    "dead_time",        "limited",        "no_period",      "discontinuous", "ripple",
+    "above_continuous", "above_straight", "above_ampacity", "runaway"};
 
 void check(const DriveQuestion& question) {
   if (!question.duty && !question.mean) throw std::invalid_argument("duty or mean must be given; got neither");
@@ -183,37 +190,7 @@ std::vector<DriveWarning> warnings_of(const DrivenActuator& answer, const Solved
 }  // namespace
 
 std::string_view name_of(DriveWarning warning) {
-  switch (warning) {
-    case DriveWarning::out_of_reach:
-      return "out_of_reach";
-    case DriveWarning::below_voltage:
-      return "below_voltage";
-    case DriveWarning::above_voltage:
-      return "above_voltage";
-    case DriveWarning::above_peak:
-      return "above_peak";
-    case DriveWarning::above_cell:
-      return "above_cell";
-    case DriveWarning::dead_time:
-      return "dead_time";
-    case DriveWarning::limited:
-      return "limited";
-    case DriveWarning::no_period:
-      return "no_period";
-    case DriveWarning::discontinuous:
-      return "discontinuous";
-    case DriveWarning::ripple:
-      return "ripple";
-    case DriveWarning::above_continuous:
-      return "above_continuous";
-    case DriveWarning::above_straight:
-      return "above_straight";
-    case DriveWarning::above_ampacity:
-      return "above_ampacity";
-    case DriveWarning::runaway:
-      return "runaway";
-  }
-  return "";
+  return warning_names.at(static_cast<std::size_t>(warning));
 }
 
 DrivenActuator drive_actuator(const Design& design, const Assembly& assembly, const DriveQuestion& question) {

@@ -1,20 +1,19 @@
 #include "coilwright/systems/gripper/object.hpp"
 
+#include <array>
+
 #include "systems/check.hpp"
 
 namespace coilwright::systems::gripper {
+namespace {
+
+// In the order of ObjectShape.
+constexpr std::array<std::string_view, 4> shape_names = {"sphere", "cylinder", "box", "upright_cylinder"};
+
+}  // namespace
+
 std::string_view name_of(ObjectShape shape) {
-  switch (shape) {
-    case ObjectShape::sphere:
-      return "sphere";
-    case ObjectShape::cylinder:
-      return "cylinder";
-    case ObjectShape::box:
-      return "box";
-    case ObjectShape::upright_cylinder:
-      return "upright_cylinder";
-  }
-  return "";
+  return shape_names.at(static_cast<std::size_t>(shape));
 }
 
 double Object::inertia() const {

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "coilwright/actuator/parts/hinge_pair_parts.hpp"
 #include "coilwright/exports/kinds.hpp"

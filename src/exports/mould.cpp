@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <string_view>
-
 #include "coilwright/text/one_line.hpp"
 #include "exports/cast.hpp"
 #include "exports/packed_files.hpp"

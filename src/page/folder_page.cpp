@@ -1,7 +1,5 @@
 #include "coilwright/page/pages.hpp"
 
-#include <string>
-
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "page/result_pages.hpp"

@@ -4,13 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <span>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/page/design_figures.hpp"

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "coilwright/page/chart.hpp"
 #include "coilwright/simulation/quantity.hpp"

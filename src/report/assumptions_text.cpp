@@ -4,8 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <string_view>
-#include <vector>
 
 #include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/report/text_table.hpp"

@@ -8,8 +8,6 @@
 #include <limits>
 #include <map>
 #include <set>
-#include <span>
-#include <vector>
 
 #include "coilwright/report/text_table.hpp"
 

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <vector>
-
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
 
 namespace coilwright::report {

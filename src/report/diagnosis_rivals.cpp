@@ -5,11 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
 #include "coilwright/measurement/compare/decision_thresholds.hpp"

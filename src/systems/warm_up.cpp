@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <utility>
 
 #include "coilwright/actuator/coil_bank.hpp"
 #include "coilwright/actuator/heat.hpp"

@@ -4,10 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <pugixml.hpp>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "exports/chain/bodies.hpp"

@@ -2,12 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <numbers>
 #include <pugixml.hpp>
 #include <sstream>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "coilwright/text/csv/csv_writer.hpp"

@@ -4,8 +4,6 @@
 
 #include <array>
 #include <initializer_list>
-#include <string_view>
-#include <utility>
 
 namespace coilwright::exports {
 namespace {

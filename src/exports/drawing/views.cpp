@@ -6,9 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "coilwright/exports/kinds.hpp"
 

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <optional>
 #include <sstream>
-#include <string>
 
 #include "coilwright/actuator/cost.hpp"
 #include "coilwright/actuator/design/current_shares.hpp"

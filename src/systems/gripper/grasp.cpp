@@ -9,7 +9,6 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <stdexcept>
 #include <utility>
 
 #include "systems/check.hpp"

@@ -1,7 +1,5 @@
 #include "coilwright/systems/gripper/quantities.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <numbers>
 #include <span>
-#include <utility>
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/simulation/initial_state.hpp"

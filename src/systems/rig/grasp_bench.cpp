@@ -1,7 +1,5 @@
 #include "coilwright/systems/rig/grasp_bench.hpp"
 
-#include <optional>
-
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/simulation/blocked_grasp.hpp"
 #include "systems/check.hpp"

@@ -19,8 +19,8 @@ TEST(CommentText, HasNoTwoHyphensInARowAndNoneAtTheEnd) {
 TEST(XmlText, ReadsBackWhateverANameHas) {
   const std::string name = "a \"b\" <c> & 'd' \xC3\xA9";
   pugi::xml_document document;
-  set(document.append_child("actuator"), "name", name);
-  set(document.child("actuator"), "mass", 0.1 + 0.2);
+  add(document, "actuator", {{"name", name}});
+  set(document.child("actuator"), {{"mass", 0.1 + 0.2}});
   pugi::xml_document read;
   ASSERT_TRUE(read.load_string(text_of(document).c_str()));
   EXPECT_EQ(read.child("actuator").attribute("name").value(), name);

@@ -4,6 +4,7 @@
 #include <pugixml.hpp>
 
 #include <Eigen/Core>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,13 +67,25 @@ struct SimulatorModel {
 [[nodiscard]] std::vector<ExportedFile> with_torques(std::string name, const pugi::xml_document& document,
                                                      SimulatorModel model);
 
-/// Sets an attribute, after those that are there.
-inline void set(pugi::xml_node node, const char* name, std::string_view value) {
-  node.append_attribute(name).set_value(std::string(value).c_str());
+/// An attribute of an element: a text, or a number with the fewest digits that read back as the same double.
+struct XmlAttribute {
+  XmlAttribute(const char* its_name, std::string_view text) : name(its_name), value(text) {}
+  XmlAttribute(const char* its_name, double number) : name(its_name), value(fmt::format("{}", number)) {}
+
+  const char* name;
+  std::string value;
+};
+
+/// Sets attributes, after those that are there.
+inline void set(pugi::xml_node node, std::initializer_list<XmlAttribute> attributes) {
+  for (const XmlAttribute& each : attributes) node.append_attribute(each.name).set_value(each.value.c_str());
 }
-/// The same for a number, with the fewest digits that read back as the same double.
-inline void set(pugi::xml_node node, const char* name, double value) {
-  set(node, name, fmt::format("{}", value));
+
+/// An element with these attributes, behind those that `parent` has.
+inline pugi::xml_node add(pugi::xml_node parent, const char* element, std::initializer_list<XmlAttribute> attributes) {
+  pugi::xml_node node = parent.append_child(element);
+  set(node, attributes);
+  return node;
 }
 
 /// What may stand in a comment: two hyphens in a row may not, nor one at the end.

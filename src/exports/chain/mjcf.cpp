@@ -50,64 +50,52 @@ double step_for(const actuator::Model& model) {
 
 void add_joint(xml_node body, int joint, const actuator::Model& model, const std::vector<TorqueTable>& tables) {
   const actuator::Hinge& hinge = model.hinges()[joint];
-  xml_node node = body.append_child("joint");
-  set(node, "name", joint_name(joint));
-  set(node, "type", "hinge");
-  set(node, "axis", "0 -1 0");
-  set(node, "stiffness", hinge.stiffness);
-  set(node, "damping", hinge.damping);
-  if (const double rotor = model.chain().link(joint).rotor_inertia; rotor > 0.0) set(node, "armature", rotor);
-  if (hinge.torque_offset != 0.0 && hinge.stiffness > 0.0) set(node, "springref", rest_angle(hinge));
-  if (hinge.contact.stiffness <= 0.0) {
-    set(node, "limited", "false");
-    return;
-  }
+  const xml_node node = add(body, "joint",
+                            {{"name", joint_name(joint)},
+                             {"type", "hinge"},
+                             {"axis", "0 -1 0"},
+                             {"stiffness", hinge.stiffness},
+                             {"damping", hinge.damping}});
+  if (const double rotor = model.chain().link(joint).rotor_inertia; rotor > 0.0) set(node, {{"armature", rotor}});
+  if (hinge.torque_offset != 0.0 && hinge.stiffness > 0.0) set(node, {{"springref", rest_angle(hinge)}});
+  if (hinge.contact.stiffness <= 0.0) return set(node, {{"limited", "false"}});
   const Stop stop = stop_of(hinge.contact, model.chain().joint_mobility()[joint]);
-  set(node, "limited", "true");
-  set(node, "range", words({hinge.contact.closing_angle, last_angle(joint, tables)}));
-  // A zero would turn the meaning of both numbers.
-  set(node, "solreflimit", words({-stop.k, -std::max(stop.b, 1e-9 * std::sqrt(stop.k))}));
-  set(node, "solimplimit", words({impedance, impedance, 0.001, 0.5, 2.0}));
+  // A zero would turn the meaning of both numbers of solreflimit.
+  set(node, {{"limited", "true"},
+             {"range", words({hinge.contact.closing_angle, last_angle(joint, tables)})},
+             {"solreflimit", words({-stop.k, -std::max(stop.b, 1e-9 * std::sqrt(stop.k))})},
+             {"solimplimit", words({impedance, impedance, 0.001, 0.5, 2.0})}});
 }
 
 void add_body(xml_node parent, int link, const actuator::Model& model, const std::vector<RigidLink>& links,
               const std::vector<TorqueTable>& tables) {
   const RigidLink& body = links[static_cast<std::size_t>(link)];
-  xml_node node = parent.append_child("body");
-  set(node, "name", fmt::format("link{}", link + 1));
-  set(node, "pos", coordinates(body.joint));
-  xml_node inertial = node.append_child("inertial");
-  set(inertial, "pos", coordinates(body.centre));
-  set(inertial, "mass", body.mass);
-  set(inertial, "diaginertia", words({body.inertia, body.inertia, body.inertia}));
+  const xml_node node =
+      add(parent, "body", {{"name", fmt::format("link{}", link + 1)}, {"pos", coordinates(body.joint)}});
+  add(node, "inertial",
+      {{"pos", coordinates(body.centre)},
+       {"mass", body.mass},
+       {"diaginertia", words({body.inertia, body.inertia, body.inertia})}});
   add_joint(node, link, model, tables);
-  xml_node box = node.append_child("geom");
-  set(box, "type", "box");
-  set(box, "pos", coordinates(body.box_centre));
-  set(box, "size", coordinates(0.5 * body.box_size));
-  set(box, "mass", "0");
-  set(box, "contype", "0");
-  set(box, "conaffinity", "0");
-  if (model.tip().link == link) {
-    xml_node tip = node.append_child("site");
-    set(tip, "name", "tip");
-    set(tip, "pos", coordinates(in_frame(model.tip().along, model.tip().offset)));
-  }
+  add(node, "geom",
+      {{"type", "box"},
+       {"pos", coordinates(body.box_centre)},
+       {"size", coordinates(0.5 * body.box_size)},
+       {"mass", "0"},
+       {"contype", "0"},
+       {"conaffinity", "0"}});
+  if (model.tip().link == link)
+    add(node, "site", {{"name", "tip"}, {"pos", coordinates(in_frame(model.tip().along, model.tip().offset))}});
   if (link + 1 < model.joints()) add_body(node, link + 1, model, links, tables);
 }
 
 void add_tables(xml_node custom, const std::vector<TorqueTable>& tables) {
-  const auto add = [&custom](const std::string& name, const std::vector<double>& data) {
-    xml_node node = custom.append_child("numeric");
-    set(node, "name", name);
-    set(node, "data", words(data));
-  };
   for (std::size_t i = 0; i < tables.size(); ++i) {
     const std::string pair = fmt::format("pair{}_", i + 1);
-    add(pair + "joint", {tables[i].joint + 1.0});
-    add(pair + "coil", {tables[i].coil + 1.0});
-    add(pair + "angle_rad", tables[i].angles);
-    add(pair + "torque_Nm_A", tables[i].torques);
+    add(custom, "numeric", {{"name", pair + "joint"}, {"data", words({tables[i].joint + 1.0})}});
+    add(custom, "numeric", {{"name", pair + "coil"}, {"data", words({tables[i].coil + 1.0})}});
+    add(custom, "numeric", {{"name", pair + "angle_rad"}, {"data", words(tables[i].angles)}});
+    add(custom, "numeric", {{"name", pair + "torque_Nm_A"}, {"data", words(tables[i].torques)}});
   }
 }
 
@@ -131,31 +119,24 @@ std::vector<ExportedFile> mjcf(const ModelSubject& subject, const ExportSettings
   const actuator::Model& model = made.plain.model;
   const std::vector<TorqueTable>& tables = made.tables;
   pugi::xml_document document;
-  xml_node root = document.append_child("mujoco");
-  set(root, "model", model_name(subject.origin));
+  xml_node root = add(document, "mujoco", {{"model", model_name(subject.origin)}});
   root.append_child(pugi::node_comment)
       .set_value(head_comment(subject.origin, use_of_motors(tables), "", made.plain.left_out).c_str());
-  xml_node compiler = root.append_child("compiler");
-  set(compiler, "angle", "radian");
-  set(compiler, "inertiafromgeom", "false");
-  xml_node option = root.append_child("option");
-  set(option, "timestep", step_for(model));
-  set(option, "gravity", coordinates(Eigen::Vector3d(0.0, 0.0, -model.chain().gravity())));
-  set(option, "integrator", "RK4");
+  add(root, "compiler", {{"angle", "radian"}, {"inertiafromgeom", "false"}});
+  add(root, "option",
+      {{"timestep", step_for(model)},
+       {"gravity", coordinates(Eigen::Vector3d(0.0, 0.0, -model.chain().gravity()))},
+       {"integrator", "RK4"}});
   if (!tables.empty()) add_tables(root.append_child("custom"), tables);
-  xml_node base = root.append_child("worldbody").append_child("body");
-  set(base, "name", "base");
-  if (model.chain().base_tilt() != 0.0) set(base, "axisangle", words({0.0, -1.0, 0.0, model.chain().base_tilt()}));
+  const xml_node base = add(root.append_child("worldbody"), "body", {{"name", "base"}});
+  if (const double tilt = model.chain().base_tilt(); tilt != 0.0)
+    set(base, {{"axisangle", words({0.0, -1.0, 0.0, tilt})}});
   add_body(base, 0, model, made.links, tables);
-  xml_node motors = root.append_child("actuator");
-  xml_node sensors = root.append_child("sensor");
+  const xml_node motors = root.append_child("actuator");
+  const xml_node sensors = root.append_child("sensor");
   for (int j = 0; j < model.joints(); ++j) {
-    xml_node motor = motors.append_child("motor");
-    set(motor, "name", joint_name(j) + "_torque");
-    set(motor, "joint", joint_name(j));
-    xml_node sensor = sensors.append_child("jointpos");
-    set(sensor, "name", joint_name(j) + "_angle");
-    set(sensor, "joint", joint_name(j));
+    add(motors, "motor", {{"name", joint_name(j) + "_torque"}, {"joint", joint_name(j)}});
+    add(sensors, "jointpos", {{"name", joint_name(j) + "_angle"}, {"joint", joint_name(j)}});
   }
   return with_torques("actuator.xml", document, std::move(made));
 }

@@ -24,56 +24,42 @@ std::string link_name(int link) {
 }
 
 void add_link(xml_node robot, int link, const RigidLink& body) {
-  xml_node node = robot.append_child("link");
-  set(node, "name", link_name(link));
+  xml_node node = add(robot, "link", {{"name", link_name(link)}});
   xml_node inertial = node.append_child("inertial");
-  set(inertial.append_child("origin"), "xyz", coordinates(body.centre));
-  set(inertial.append_child("mass"), "value", body.mass);
-  xml_node inertia = inertial.append_child("inertia");
-  for (const auto* own : {"ixx", "iyy", "izz"}) set(inertia, own, body.inertia);
-  for (const auto* mixed : {"ixy", "ixz", "iyz"}) set(inertia, mixed, 0.0);
+  add(inertial, "origin", {{"xyz", coordinates(body.centre)}});
+  add(inertial, "mass", {{"value", body.mass}});
+  const xml_node inertia = inertial.append_child("inertia");
+  for (const auto* own : {"ixx", "iyy", "izz"}) set(inertia, {{own, body.inertia}});
+  for (const auto* mixed : {"ixy", "ixz", "iyz"}) set(inertia, {{mixed, 0.0}});
   xml_node visual = node.append_child("visual");
-  set(visual.append_child("origin"), "xyz", coordinates(body.box_centre));
-  set(visual.append_child("geometry").append_child("box"), "size", coordinates(body.box_size));
+  add(visual, "origin", {{"xyz", coordinates(body.box_centre)}});
+  add(visual.append_child("geometry"), "box", {{"size", coordinates(body.box_size)}});
 }
 
 void add_joint(xml_node robot, int joint, const RigidLink& body, const actuator::Hinge& hinge, double upper) {
   const bool stops = hinge.contact.stiffness > 0.0;
-  xml_node node = robot.append_child("joint");
-  set(node, "name", joint_name(joint));
-  set(node, "type", stops ? "revolute" : "continuous");
-  set(node.append_child("parent"), "link", link_name(joint - 1));
-  set(node.append_child("child"), "link", link_name(joint));
-  set(node.append_child("origin"), "xyz", coordinates(body.joint));
-  set(node.append_child("axis"), "xyz", "0 -1 0");
-  xml_node dynamics = node.append_child("dynamics");
-  set(dynamics, "damping", hinge.damping);
-  set(dynamics, "friction", 0.0);
-  xml_node limit = node.append_child("limit");
-  if (stops) {
-    set(limit, "lower", hinge.contact.closing_angle);
-    set(limit, "upper", upper);
-  }
-  set(limit, "effort", no_bound);
-  set(limit, "velocity", no_bound);
-  xml_node gazebo = robot.append_child("gazebo");
-  set(gazebo, "reference", joint_name(joint));
+  xml_node node = add(robot, "joint", {{"name", joint_name(joint)}, {"type", stops ? "revolute" : "continuous"}});
+  add(node, "parent", {{"link", link_name(joint - 1)}});
+  add(node, "child", {{"link", link_name(joint)}});
+  add(node, "origin", {{"xyz", coordinates(body.joint)}});
+  add(node, "axis", {{"xyz", "0 -1 0"}});
+  add(node, "dynamics", {{"damping", hinge.damping}, {"friction", 0.0}});
+  const xml_node limit = node.append_child("limit");
+  if (stops) set(limit, {{"lower", hinge.contact.closing_angle}, {"upper", upper}});
+  set(limit, {{"effort", no_bound}, {"velocity", no_bound}});
+  xml_node gazebo = add(robot, "gazebo", {{"reference", joint_name(joint)}});
   gazebo.append_child("springReference").text().set(fmt::format("{}", rest_angle(hinge)).c_str());
   gazebo.append_child("springStiffness").text().set(fmt::format("{}", hinge.stiffness).c_str());
 }
 
 // The base with its mount: tilted links hang in gravity otherwise.
 void add_base(xml_node robot, double tilt) {
-  set(robot.append_child("link"), "name", "world");
-  set(robot.append_child("link"), "name", "base");
-  xml_node mount = robot.append_child("joint");
-  set(mount, "name", "mount");
-  set(mount, "type", "fixed");
-  set(mount.append_child("parent"), "link", "world");
-  set(mount.append_child("child"), "link", "base");
-  xml_node origin = mount.append_child("origin");
-  set(origin, "xyz", "0 0 0");
-  set(origin, "rpy", words({0.0, 0.0 - tilt, 0.0}));
+  add(robot, "link", {{"name", "world"}});
+  add(robot, "link", {{"name", "base"}});
+  const xml_node mount = add(robot, "joint", {{"name", "mount"}, {"type", "fixed"}});
+  add(mount, "parent", {{"link", "world"}});
+  add(mount, "child", {{"link", "base"}});
+  add(mount, "origin", {{"xyz", "0 0 0"}, {"rpy", words({0.0, 0.0 - tilt, 0.0})}});
 }
 
 std::string joints_csv(const actuator::Model& model) {
@@ -101,8 +87,7 @@ std::vector<ExportedFile> urdf(const ModelSubject& subject, const ExportSettings
     if (const double rotor = model.chain().link(j).rotor_inertia; rotor > 0.0)
       made.plain.left_out.push_back(fmt::format("the rotor of {}, {:.4g} kg m2: URDF has none", joint_name(j), rotor));
   pugi::xml_document document;
-  xml_node robot = document.append_child("robot");
-  set(robot, "name", model_name(subject.origin));
+  xml_node robot = add(document, "robot", {{"name", model_name(subject.origin)}});
   const std::string use = fmt::format(
       "  Gravity is {:.6g} m/s2 along -z. URDF has no springs: joints.csv has them, and so have the elements for "
       "Gazebo.\n"

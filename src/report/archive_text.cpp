@@ -20,6 +20,7 @@ using archive::Column;
 using archive::Contents;
 using archive::Role;
 using archive::Row;
+using enum TextTable::Align;
 
 std::string text_of(const archive::Value& value) {
   if (const auto* number = std::get_if<double>(&value)) return short_number(*number);
@@ -49,8 +50,7 @@ std::string runs_text(const std::vector<archive::Run>& runs) {
                run.stop_reason.empty() ? "-" : run.stop_reason, count_or_dash(run.max_evaluations),
                count(run.evaluated), count(run.answered), count(run.reused)});
   }
-  return table.text(0,
-                    {TextTable::Align::right, TextTable::Align::left, TextTable::Align::left, TextTable::Align::left});
+  return table.text(0, {right, left, left, left});
 }
 
 // Whether the table shows a quantity: the one asked for, unless it is an objective and so there already.
@@ -106,8 +106,8 @@ std::string to_text(const Contents& contents, std::span<const Row> rows, const s
   std::vector<std::string> header{"row", "number", "status"};
   for (const Column& column : contents.columns)
     if (is_shown(contents, column, further_column)) header.push_back(column.name);
-  std::vector<TextTable::Align> align(header.size(), TextTable::Align::right);
-  align.push_back(TextTable::Align::left);
+  std::vector<TextTable::Align> align(header.size(), right);
+  align.push_back(left);
   header.emplace_back();
   table.row(std::move(header));
   for (const Row& row : rows) table.row(cells_of(contents, row, further_column));
@@ -126,7 +126,7 @@ std::string to_text(const formats::Replay& replay) {
   TextTable table;
   table.row({"", "recorded", "again"});
   for (const formats::Difference& each : found) table.row({each.name, each.recorded, each.again});
-  return text + table.text(2, {TextTable::Align::left});
+  return text + table.text(2, {left});
 }
 
 }  // namespace coilwright::report

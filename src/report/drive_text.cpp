@@ -14,6 +14,7 @@ namespace {
 using systems::DrivenActuator;
 using systems::DriveQuestion;
 using systems::DriveWarning;
+using enum TextTable::Align;
 
 std::string number(double value) {
   return fmt::format("{:.5g}", value);
@@ -57,7 +58,7 @@ std::string currents_text(const DrivenActuator& driven) {
   };
   row("coil", driven.coil);
   row("driver", driven.driver);
-  return table.text(2, {TextTable::Align::left}) +
+  return table.text(2, {left}) +
          fmt::format("  The supply delivers {} A on average.\n", number(driven.driver.supply_mean));
 }
 
@@ -70,7 +71,7 @@ std::string powers_text(const DrivenActuator& driven) {
   table.row({"as their mean current suggests", number(driven.heat_by_mean)});
   table.row({"heat of switches and diodes", number(powers.switches + powers.diodes)});
   table.row({"heat inside the supply", number(powers.supply)});
-  return table.text(2, {TextTable::Align::left});
+  return table.text(2, {left});
 }
 
 std::string circuit_text(const DrivenActuator& driven) {

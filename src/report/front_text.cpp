@@ -17,6 +17,7 @@ namespace coilwright::report {
 namespace {
 
 using namespace sizing;
+using enum TextTable::Align;
 
 std::string table_of(const Study& study, const ParetoResult& result) {
   TextTable table;
@@ -33,7 +34,7 @@ std::string table_of(const Study& study, const ParetoResult& result) {
   for (std::size_t i = 0; i < study.objectives.size(); ++i)
     add("best " + study.objectives[i].quantity.name, result.front[formats::end_of(result, i)]);
   add("middle", result.front[formats::middle_of(result)]);
-  return table.text(0, {TextTable::Align::left});
+  return table.text(0, {left});
 }
 
 // A reader who let four configurations vary looks for all of them.
@@ -58,8 +59,7 @@ std::string nearest_text(const Study& study, const ParetoResult& result) {
   TextTable table;
   const std::vector<std::string> values = variable_texts(study, result.least_infeasible->point);
   for (std::size_t i = 0; i < values.size(); ++i) table.row({name_of(study.variables[i]), values[i]});
-  return "No design that was found keeps every limit. The least infeasible one\n" +
-         table.text(2, {TextTable::Align::left, TextTable::Align::right}) +
+  return "No design that was found keeps every limit. The least infeasible one\n" + table.text(2, {left, right}) +
          fmt::format("It is not feasible: {}\n", reasons_for_infeasibility(study, result.least_infeasible->evaluation));
 }
 

@@ -12,6 +12,7 @@ namespace {
 
 using namespace systems::rig;
 using magnetics::Fidelity;
+using enum TextTable::Align;
 
 // A value in the unit of `name` to five digits; a force or torque that only rounding keeps from 0 is 0.
 std::string cell(double value, const char* name) {
@@ -116,13 +117,12 @@ std::string to_text(const std::vector<CameraRecord>& records, const Camera& came
       table.row({record.name(), degrees(shown.first), degrees(shown.last), degrees(shown.largest),
                  cell(shown.fastest, "rise_deg_s"), degrees(shown.late_mean), degrees(shown.peak_to_peak)});
     }
-    out += table.text(2, {TextTable::Align::left});
+    out += table.text(2, {left});
   }
   out += "Mean absolute difference of the two\n";
   TextTable table;
   for (const CameraRecord& record : records) table.row({record.name(), degrees(mean_difference(record))});
-  return out + table.text(2, {TextTable::Align::left}) +
-         "Late is the last period of a sine and the last tenth of a step.\n";
+  return out + table.text(2, {left}) + "Late is the last period of a sine and the last tenth of a step.\n";
 }
 
 }  // namespace coilwright::report

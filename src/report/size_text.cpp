@@ -23,6 +23,7 @@ namespace coilwright::report {
 namespace {
 
 using namespace sizing;
+using enum TextTable::Align;
 
 std::string in_unit(double change, const simulation::ResultQuantity& quantity) {
   if (change == 0.0) return "no change";
@@ -62,7 +63,7 @@ std::string variables_text(const formats::SizeReport& report) {
   TextTable table;
   for (std::size_t i = 0; i < study.variables.size(); ++i)
     table.row({name_of(study.variables[i]), value_text(study.variables[i], report.result.best->point[i])});
-  return table.text(2, {TextTable::Align::left, TextTable::Align::right});
+  return table.text(2, {left, right});
 }
 
 // What the pulses of the study's driver add, or those of the usual one to a current that the study takes as steady.
@@ -149,8 +150,7 @@ std::string limits_text(const formats::SizeReport& report) {
     table.row({name_of(limit), short_number(formats::value_behind(limit, best.constraints[i])),
                margin_text(margin, limit.quantity), remark});
   }
-  return "\nLimits\n" + table.text(2, {TextTable::Align::left, TextTable::Align::right, TextTable::Align::right,
-                                       TextTable::Align::left});
+  return "\nLimits\n" + table.text(2, {left, right, right, left});
 }
 
 // What other builds than those of the search make of the answer.
@@ -203,9 +203,7 @@ std::string steps_text(const formats::SizeReport& report) {
     table.row(
         {step.variable, value_text(variable, step.from) + " -> " + value_text(variable, step.to), change, remark});
   }
-  return "\nChange of the objective by one step of one variable\n" +
-         table.text(2,
-                    {TextTable::Align::left, TextTable::Align::left, TextTable::Align::right, TextTable::Align::left});
+  return "\nChange of the objective by one step of one variable\n" + table.text(2, {left, left, right, left});
 }
 
 }  // namespace

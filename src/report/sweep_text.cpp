@@ -15,6 +15,7 @@ namespace {
 
 using sizing::Study;
 using sizing::SweptDesign;
+using enum TextTable::Align;
 
 // The objectives in which the design at `first` is best, also where the leaders after it are the same design; for an
 // infeasible design what it violates.
@@ -51,8 +52,8 @@ std::string to_text(const formats::SweepReport& report) {
     row.push_back(best_for(study, leaders, k));
     table.row(std::move(row));
   }
-  std::vector<TextTable::Align> align(table.columns() - 1, TextTable::Align::right);
-  align.push_back(TextTable::Align::left);
+  std::vector<TextTable::Align> align(table.columns() - 1, right);
+  align.push_back(left);
   return table.text(0, std::move(align)) +
          fmt::format("\n{} of {} designs evaluated{}; {} keep every limit.\n", evaluated, designs,
                      sample ? fmt::format(" (those that differ of {} drawn: {}, seed {})", sample->drawn,

@@ -10,7 +10,7 @@
 namespace coilwright::report {
 namespace {
 
-using Align = TextTable::Align;
+using enum TextTable::Align;
 
 std::string number_or_none(const std::optional<double>& value) {
   return value ? short_number(*value) : "none";
@@ -27,8 +27,7 @@ std::string quantities_text(const sizing::Yield& yield) {
     table.row({each.name, number_or_none(each.nominal), number_or_none(each.p05), number_or_none(each.p50),
                number_or_none(each.p95), each.keeps ? each.limit.substr(each.limit.find(' ') + 1) : "",
                each.keeps ? percent(*each.keeps) : ""});
-  return table.text(0,
-                    {Align::left, Align::right, Align::right, Align::right, Align::right, Align::right, Align::left});
+  return table.text(0, {left, right, right, right, right, right, left});
 }
 
 std::string index_text(const std::optional<sizing::SobolIndex>& index) {
@@ -56,7 +55,7 @@ std::string shares_text(const sizing::Yield& yield, std::size_t quantity) {
   for (const sizing::ScatterWorth* worth : order)
     table.row({worth->scatter, index_text(worth->first[quantity]), index_text(worth->total[quantity])});
   return fmt::format("{}: share of its variance by itself, and with others (95 %)\n", yield.quantities[quantity].name) +
-         table.text(2, {Align::left, Align::left, Align::left});
+         table.text(2, {left, left, left});
 }
 
 std::string halves_text(const sizing::Yield& yield) {
@@ -67,8 +66,7 @@ std::string halves_text(const sizing::Yield& yield) {
       order, [](const auto* one, const auto* other) { return one->keeps_all.value > other->keeps_all.value; });
   TextTable table;
   for (const sizing::ScatterWorth* worth : order) table.row({worth->scatter, percent(worth->keeps_all)});
-  return "If one of them scattered half as far, every limit would be kept by\n" +
-         table.text(2, {Align::left, Align::left});
+  return "If one of them scattered half as far, every limit would be kept by\n" + table.text(2, {left, left});
 }
 
 }  // namespace

@@ -89,6 +89,21 @@ template <typename Whole>
 /// Stiffness of every joint, N m/rad.
 [[nodiscard]] mechanics::JointVector stiffnesses(const ModelSpec& spec);
 
+/// States that follow what enters them by a first-order lag.
+class FollowingTerm : public EffectTerm {
+ public:
+  FollowingTerm(int states, double time_constant) : states_(states), time_constant_(time_constant) {}
+  int states() const final { return states_; }
+  bool slow() const final { return time_constant_ > slow_time; }
+
+ protected:
+  [[nodiscard]] double slope(double entering, double state) const { return (entering - state) / time_constant_; }
+
+ private:
+  int states_;
+  double time_constant_;
+};
+
 /// Drive: each coil's current i becomes of(i).
 template <typename Function>
 [[nodiscard]] Term driven_current(Function of) {

@@ -11,27 +11,19 @@ namespace {
 // A loss per square ampere, its thermal time constant, and how a run that starts at rest under a current finds the
 // part: cold, as after a pause, or warm, as after a hold that outlasts the heat. Which it was is a matter of the rig's
 // operator; a record tells.
-class HeatTerm : public EffectTerm {
+class HeatTerm : public FollowingTerm {
  public:
-  HeatTerm(int states, Values values)
-      : loss_(values[0]), states_(states), time_constant_(values[1]), warm_start_(values[2]) {}
-
-  int states() const final { return states_; }
-  bool slow() const final { return time_constant_ > slow_time; }
+  HeatTerm(int states, Values values) : FollowingTerm(states, values[1]), loss_(values[0]), warm_start_(values[2]) {}
 
   void begin(const Kinematics& motion, const CoilCurrents& currents, double* out) const final {
     settle(motion, currents, out);
-    for (int i = 0; i < states_; ++i) out[i] *= warm_start_;
+    for (int i = 0; i < states(); ++i) out[i] *= warm_start_;
   }
 
  protected:
-  // Towards what the present loss would warm it to.
-  [[nodiscard]] double slope(double steady, double state) const { return (steady - state) / time_constant_; }
   double loss_;
 
  private:
-  int states_;
-  double time_constant_;
   double warm_start_;
 };
 

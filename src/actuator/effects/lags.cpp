@@ -10,24 +10,10 @@ namespace {
 // integrator for steps that small: it is taken as none.
 constexpr double quasi_static = 20e-6;
 
-// States that follow what enters.
-class LagTerm : public EffectTerm {
- public:
-  LagTerm(int states, double time_constant) : states_(states), time_constant_(time_constant) {}
-  int states() const final { return states_; }
-
- protected:
-  [[nodiscard]] double slope(double entering, double state) const { return (entering - state) / time_constant_; }
-
- private:
-  int states_;
-  double time_constant_;
-};
-
 // One state a coil: its current.
-class CurrentLag final : public LagTerm {
+class CurrentLag final : public FollowingTerm {
  public:
-  using LagTerm::LagTerm;
+  using FollowingTerm::FollowingTerm;
 
   void settle(const Kinematics& /*motion*/, const CoilCurrents& currents, double* out) const override {
     std::copy_n(currents.data(), states(), out);
@@ -42,9 +28,9 @@ class CurrentLag final : public LagTerm {
 };
 
 // One state a joint: its angle as shown. Linear, so the shown sum of angles is the sum of the shown angles.
-class TrackingLag final : public LagTerm {
+class TrackingLag final : public FollowingTerm {
  public:
-  using LagTerm::LagTerm;
+  using FollowingTerm::FollowingTerm;
 
   void settle(const Kinematics& motion, const CoilCurrents& /*currents*/, double* out) const override {
     std::copy_n(motion.angles.data(), states(), out);

@@ -64,20 +64,17 @@ StiffnessReadings readings(const actuator::Design& design, const StiffnessGauge&
       return StiffnessReading{.force = torque / out.arm, .stiffness = torque / angle};
     };
     // What the gauge must bring to bear against hinge, magnets and weight.
-    const auto hanging = per_fidelity([&](magnetics::Fidelity fidelity) {
-      const Model& model = models.of(fidelity);
-      const JointVector angles = open_at(model, out.joint, angle);
-      return reading(-model.static_residual(angles, model.all_coils(0.0))[out.joint]);
-    });
-    const auto level = per_fidelity([&](magnetics::Fidelity fidelity) {
-      const Model& model = models.of(fidelity);
-      const JointVector angles = open_at(model, out.joint, angle);
-      return reading(-model.static_residual(angles, model.all_coils(0.0))[out.joint] -
-                     model.chain().gravity_torques(angles)[out.joint]);
-    });
+    const auto posed = [&](bool hangs) {
+      return per_fidelity([&](magnetics::Fidelity fidelity) {
+        const Model& model = models.of(fidelity);
+        const JointVector angles = open_at(model, out.joint, angle);
+        const double torque = -model.static_residual(angles, model.all_coils(0.0))[out.joint];
+        return reading(hangs ? torque : torque - model.chain().gravity_torques(angles)[out.joint]);
+      });
+    };
     out.points.push_back({.angle = angle,
-                          .level = level,
-                          .hanging = hanging,
+                          .level = posed(false),
+                          .hanging = posed(true),
                           .hinge_torque = -own.hinge_torques(open_at(own, out.joint, angle))[out.joint],
                           .first_hinge_torque = -own.hinge_torques(open_at(own, 0, angle))[0]});
   }

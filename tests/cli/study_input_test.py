@@ -106,6 +106,8 @@ class StudyInput(ProgramTest):
              '/objectives/0/maximise: names "grasp_forc_N", which is no quantity; did you mean "grasp_force_N"?; '
              'got text "grasp_forc_N / mass_g"'),
             ({"objectives": [{"maximise": "grasp_force_N / mass_g", "name": "grip"}]}, "/objectives/0/unit: is missing"),
+            ({"objectives": [{"maximise": "grasp_force_N / mass_g", "name": "grip", "unit": "N g"}]},
+             '/objectives/0: unit: must be written in letters, digits and "/", "N/g", or be 1 for a plain number; got "N g"'),
             ({"objectives": [{"maximise": "grasp_force_N / (mass_g", "name": "grip", "unit": "N/g"}]},
              "/objectives/0/maximise: must be an expression of quantities: Missing parenthesis; "
              'got text "grasp_force_N / (mass_g"'),

@@ -96,16 +96,6 @@ ResultQuantity read_expression(const Node& node, ObjectReader& in, StudyQuantiti
   try {
     // First the expression alone: that its name is missing says nothing to a person who misspelt a quantity.
     (void)expression_quantity({.text = text, .name = "any", .unit = "1"}, quantities);
-    expression.name = in.text("name");
-    expression.unit = in.text("unit");
-    expression.scale = in.number_or("scale", 0.0, positive);
-    ResultQuantity quantity = expression_quantity(expression, quantities);
-    const ResultQuantity* same = quantities.find(quantity.name);
-    if ((same != nullptr && same->meaning != quantity.meaning) || is_taken(quantity.name))
-      throw in.at("name").error(fmt::format("makes a name that is taken (\"{}\")", quantity.name));
-    if (const auto builds = all.spread ? table_of_builds(quantities) : std::nullopt)
-      all.of_builds.insert_or_assign(quantity.name, expression_quantity(expression, *builds));
-    return quantity;
   } catch (const UnknownSymbol& unknown) {
     refuse_without_block(node, unknown.symbol());
     refuse_without_spread(node, all, unknown.symbol());
@@ -113,6 +103,16 @@ ResultQuantity read_expression(const Node& node, ObjectReader& in, StudyQuantiti
   } catch (const std::invalid_argument& mistake) {
     throw node.error(mistake.what());
   }
+  expression.name = in.text("name");
+  expression.unit = in.text("unit");
+  expression.scale = in.number_or("scale", 0.0, positive);
+  ResultQuantity quantity = expression_quantity(expression, quantities);
+  const ResultQuantity* same = quantities.find(quantity.name);
+  if ((same != nullptr && same->meaning != quantity.meaning) || is_taken(quantity.name))
+    throw in.at("name").error(fmt::format("makes a name that is taken (\"{}\")", quantity.name));
+  if (const auto builds = all.spread ? table_of_builds(quantities) : std::nullopt)
+    all.of_builds.insert_or_assign(quantity.name, expression_quantity(expression, *builds));
+  return quantity;
 }
 
 void add_once(QuantityTable& table, const ResultQuantity& quantity) {

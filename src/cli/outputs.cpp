@@ -19,6 +19,8 @@ void keep_inputs(const std::vector<std::filesystem::path>& inputs, const std::ve
       if (std::filesystem::equivalent(input, output, none))
         throw text::OutputError(output, "it is an input of this command", text::OutputError::Stage::preparing);
     }
+    std::error_code none;  // what is not there is its folder's matter
+    if (exists(symlink_status(output, none))) const text::OutputFile trial(output);
   }
 }
 

@@ -15,7 +15,8 @@
 
 namespace coilwright::cli {
 
-/// Throws text::OutputError naming the first of `outputs` that is one of `inputs`: writing it would lose it.
+/// Throws text::OutputError naming the first of `outputs` that is one of `inputs`, as writing it would lose it, or that
+/// is there and cannot be replaced, as a folder: before the work.
 void keep_inputs(const std::vector<std::filesystem::path>& inputs, const std::vector<std::filesystem::path>& outputs);
 
 /// Throws text::OutputError naming the first of these files that cannot be written: before the work. An empty name is

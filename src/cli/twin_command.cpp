@@ -78,10 +78,15 @@ std::filesystem::path answer_file_of(const TwinOptions& options) {
 }
 
 // Writing over the actuator or the experiment would lose it.
-void check_output(const TwinOptions& options) {
+void check_output(const TwinOptions& options, const Experiment& experiment) {
   const std::filesystem::path folder = folder_of(options);
-  keep_inputs({options.actuator, options.experiment.file},
-              {folder / actuator_name, folder / "dataset.json", folder / provenance_name, answer_file_of(options)});
+  std::vector<std::filesystem::path> outputs{folder / actuator_name, folder / "dataset.json", folder / provenance_name,
+                                             answer_file_of(options)};
+  for (const auto& each : experiment.runs) {
+    outputs.push_back(folder / each.plan.name);
+    if (each.input_rate > 0.0) outputs.push_back(folder / formats::input_file_name(each.plan.name));
+  }
+  keep_inputs({options.actuator, options.experiment.file}, outputs);
 }
 
 // What the clocks of the runs really were; none where they are one.
@@ -141,10 +146,10 @@ void write(const TwinOptions& options, const Experiment& experiment, const std::
 }
 
 void run_twin(const TwinOptions& options) {
-  check_output(options);
   const formats::DeclaredActuator rig =
       formats::read_declared_actuator(options.actuator, {.names = {}, .file = options.actuator});
   const Experiment experiment = read_experiment(options.experiment);
+  check_output(options, experiment);
   const std::vector<Effect> hidden = read_hidden(options, rig.model.build({}));
   const text::OutputFolder trial(folder_of(options));
   require_writable({answer_file_of(options)});

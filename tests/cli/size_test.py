@@ -292,6 +292,9 @@ class Size(ProgramTest):
                                 "file/out: cannot be written: Not a directory")
             self.assert_refused([command, "study.json", "--out", "file"],
                                 "file: cannot be written: Not a directory")
+            (self.folder / "taken/result.json").mkdir(parents=True)
+            self.assert_refused([command, "study.json", "--out", "taken", "--force"],
+                                "taken/result.json: cannot be written: Is a directory")
 
 
 if __name__ == "__main__":

@@ -83,6 +83,9 @@ class Twin(ProgramTest):
             (self.folder / name).unlink()
         (self.folder / "set/provenance.json").symlink_to("../plan.json")
         self.assert_refused([*twin, "--force"], "set/provenance.json: cannot be written: it is an input of this command")
+        (self.folder / "set/provenance.json").unlink()
+        (self.folder / "set/step.csv").mkdir()
+        self.assert_refused([*twin, "--force"], "set/step.csv: cannot be written: Is a directory")
 
     def test_without_effect_and_noise_it_is_what_simulate_gives(self):
         plan = {**EXPERIMENT, "resolution": {}}

@@ -135,7 +135,7 @@ void run_export(const ExportOptions& options) {
     std::cout << written_json(outputs).set("use", kind.use).set("left_out", std::move(left_out)).text();
     return;
   }
-  for (const std::filesystem::path& output : outputs) std::cout << output.string() << '\n';
+  for (const std::filesystem::path& output : outputs) std::cout << printed(output) << '\n';
   std::cout << kind.use << '\n';
   for (const ExportedFile& file : files)
     for (const std::string& line : file.left_out) std::cerr << file.name << " leaves out " << line << ".\n";

@@ -17,6 +17,7 @@
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
 #include "options.hpp"
+#include "outputs.hpp"
 #include "packed_files.hpp"
 
 namespace coilwright::cli {
@@ -94,14 +95,14 @@ void run_init(const InitOptions& options) {
     return;
   }
   for (const std::string_view name : start.files)
-    std::cout << (out / name).lexically_normal().string()
+    std::cout << printed((out / name).lexically_normal())
               << (is_written(name) ? "\n" : " was there already, and stays as it is\n");
   if (draft) {
     if (!keeps_actuator) draft->asked.emplace_back("the actuator: actuator.json is an example, change it to yours");
     print_sentences("Guessed, to be checked in dataset.json", draft->guessed);
     print_sentences("To be said by you", draft->asked);
   }
-  const std::string there = out.lexically_normal() == "." ? "" : " in " + out.lexically_normal().string();
+  const std::string there = out.lexically_normal() == "." ? "" : " in " + printed(out.lexically_normal());
   std::cout << fmt::format("Next{}: {}\n", there, start.next);
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <fstream>
 #include <system_error>
+#include "coilwright/text/one_line.hpp"
 #include "coilwright/text/output/output_file.hpp"
 
 #include "options.hpp"
@@ -85,6 +86,11 @@ void keep_results_of_others(const std::filesystem::path& folder, std::span<const
 
 void keep_other_provenance(const std::filesystem::path& folder, bool force) {
   keep_results_of_others(folder, std::array{provenance_name}, "\"provenance/1\"", force);
+}
+
+std::string printed(const std::filesystem::path& path) {
+  const std::string plain = path.string();
+  return text::one_line(plain, 4 * plain.size());  // an escape of one byte is four long
 }
 
 void add_written_json_option(CLI::App& command, bool& json) {

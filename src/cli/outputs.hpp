@@ -64,6 +64,9 @@ void add_written_json_option(CLI::App& command, bool& json);
 /// Throws CLI::ValidationError where --json is asked for and `out` is standard output, which cannot hold both.
 void require_file_for_json(bool json, const std::string& out);
 
+/// A path fit for a line of a terminal, whatever is in its names; never cut.
+[[nodiscard]] std::string printed(const std::filesystem::path& path);
+
 /// Where a command tells of its results: standard output or, where "-" puts one of its files there, standard error.
 [[nodiscard]] inline std::ostream& report_stream(std::string_view file, std::string_view another_file = {}) {
   return file == "-" || another_file == "-" ? std::cerr : std::cout;

@@ -48,7 +48,7 @@ void run_report(const ReportCommandOptions& options) {
   if (options.json)
     std::cout << written_json({file}).text();
   else
-    std::cout << file.string() << '\n';
+    std::cout << printed(file) << '\n';
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ void run_rig(const RigOptions& options,
   std::cout << (options.json ? result.json.text() : result.text);
   if (options.out.empty() || options.json) return;
   std::cout << fmt::format("{} {} in {}; put measured columns in place of the predicted ones, and diagnose it\n",
-                           result.runs.size(), result.runs.size() == 1 ? "run" : "runs", folder_of(options).string());
+                           result.runs.size(), result.runs.size() == 1 ? "run" : "runs", printed(folder_of(options)));
 }
 
 }  // namespace coilwright::cli

@@ -220,7 +220,7 @@ void RunArchive::end(std::string_view stop_reason, const Interruption& interrupt
                   .reused = counts.reused});
   if (interruption.requested() && !json_ && !unwritten_ && !writer_->failure())
     std::cerr << fmt::format("coilwright: interrupted: what was evaluated is in {}; --resume goes on from there\n",
-                             path_.string());
+                             printed(path_));
 }
 
 void RunArchive::require_written() const {

@@ -49,7 +49,7 @@ void run_schema(const SchemaOptions& options) {
     std::cout << written_json(files).text();
     return;
   }
-  std::cout << fmt::format("{}/{}{}, and the schemas that it refers to\n", folder.path().string(), options.name,
+  std::cout << fmt::format("{}/{}{}, and the schemas that it refers to\n", printed(folder.path()), options.name,
                            ending);
 }
 

@@ -140,8 +140,8 @@ void write(const TwinOptions& options, const Experiment& experiment, const std::
                                      {"answer", beside.string()}})
                      .text();
   } else {
-    std::cout << fmt::format("{} runs, {} samples in {}; the answer is in {}\n", runs.size(), samples, out.string(),
-                             beside.string());
+    std::cout << fmt::format("{} runs, {} samples in {}; the answer is in {}\n", runs.size(), samples, printed(out),
+                             printed(beside));
   }
 }
 

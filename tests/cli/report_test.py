@@ -47,6 +47,9 @@ class Report(ProgramTest):
         page = (self.folder / "out/report.html").read_text()
         again = run("report", "out", "--out", "again.html", cwd=self.folder)
         self.assertEqual((again.returncode, again.stdout), (0, "again.html\n"))
+        (self.folder / "\x1b[31mred").mkdir()
+        red = run("report", "out", "--out", "\x1b[31mred/a.html", cwd=self.folder)
+        self.assertEqual((red.returncode, red.stdout), (0, "\\x1b[31mred/a.html\n"))
         self.assertEqual((self.folder / "again.html").read_text(), page)
 
     def test_the_numbers_of_a_page_are_those_of_its_files(self):

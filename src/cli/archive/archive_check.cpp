@@ -10,6 +10,7 @@
 #include "cli/commands.hpp"
 #include "cli/folder_lock.hpp"
 #include "cli/options.hpp"
+#include "cli/outputs.hpp"
 #include "coilwright/archive/writer.hpp"
 #include "coilwright/text/json/json.hpp"
 #include "opened_archive.hpp"
@@ -40,7 +41,7 @@ void run_check(const ArchiveCheckOptions& options) {
                      .text();
     return;
   }
-  std::cout << fmt::format("{}: {} designs of {} runs{}.\n", archive.path().string(), designs, runs,
+  std::cout << fmt::format("{}: {} designs of {} runs{}.\n", printed(archive.path()), designs, runs,
                            archive.has_checksums() ? ", each as it was written" : "");
   if (dropped > 0)
     std::cout << fmt::format("{} damaged designs were taken out; --resume evaluates them anew.\n", dropped);

@@ -9,6 +9,7 @@
 
 #include "cli/archive_contents.hpp"
 #include "cli/options.hpp"
+#include "cli/outputs.hpp"
 #include "coilwright/formats/study/study_file.hpp"
 #include "coilwright/text/input_error.hpp"
 
@@ -30,7 +31,7 @@ archive::Reader opened_archive(const std::string& folder) {
     std::cerr << fmt::format(
         "coilwright: {} was written by an earlier version, without checksums: whether a number "
         "of it has changed on the disk is not known\n",
-        archive.path().string());
+        printed(archive.path()));
   return archive;
 }
 

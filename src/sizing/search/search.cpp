@@ -39,7 +39,8 @@ SearchResult search(const Problem& problem, const SearchOptions& options) {
                                             problem.objectives.size()));
   }
   SearchRun run = run_search(problem, options);
-  SearchResult result{.stop_reason = run.stop_reason, .archive = std::move(run.archive)};
+  SearchResult result{
+      .stop_reason = run.stop_reason, .search_stop_reason = run.stop_reason, .archive = std::move(run.archive)};
   result.search_evaluations = result.archive.size();
   result.best = result.archive.best_feasible();
   result.feasible = result.best.has_value();

@@ -219,9 +219,24 @@ TEST(Search, ReturnsWhatItHasWhenInterrupted) {
     const SearchResult result =
         search(problem, {.algorithm = algorithm, .max_evaluations = 3000, .seed = 1, .stop = source.get_token()});
     EXPECT_EQ(result.stop_reason, StopReason::interrupted) << name_of(algorithm);
+    EXPECT_EQ(result.search_stop_reason, StopReason::interrupted) << name_of(algorithm);
     EXPECT_TRUE(result.best.has_value());
     EXPECT_LT(result.archive.size(), 80U) << name_of(algorithm);
   }
+}
+
+TEST(Search, TellsWhyItEndedWhereItsSurroundingsAreInterrupted) {
+  std::stop_source source;
+  std::atomic<int> calls = 0;
+  Problem problem = one_objective(testing::srn());
+  problem.evaluate = [&, inner = problem.evaluate](std::span<const double> x) {
+    if (++calls == 61) source.request_stop();
+    return inner(x);
+  };
+  const SearchResult result = search(problem, {.max_evaluations = 60, .seed = 1, .stop = source.get_token()});
+  ASSERT_TRUE(result.feasible);
+  EXPECT_EQ(result.stop_reason, StopReason::interrupted);
+  EXPECT_NE(result.search_stop_reason, StopReason::interrupted);
 }
 
 TEST(Search, TellsHowFarItIs) {

@@ -12,6 +12,7 @@
 #include "coilwright/actuator/calibration_doubts.hpp"
 #include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/actuator/design/dimensions.hpp"
+#include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/text/spelling.hpp"
 #include "coilwright/units/unit.hpp"
 #include "coilwright/winding/wire.hpp"
@@ -19,7 +20,6 @@
 #include "formats/actuator/choice_words.hpp"
 #include "formats/actuator/effects_reader.hpp"
 #include "formats/actuator/magnetic_parts.hpp"
-#include "formats/actuator/operating_point_format.hpp"
 
 namespace coilwright::formats {
 namespace {

@@ -13,6 +13,7 @@
 #include "coilwright/actuator/operating_point.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/json.hpp"
+#include "coilwright/text/json/node.hpp"
 
 namespace coilwright::formats {
 
@@ -50,5 +51,7 @@ using UpdatedActuator = std::variant<actuator::Design, UpdatedLumpedModel>;
 
 /// The key "operating_point" of an actuator file and of result.json, with every value: read back, it is the same point.
 [[nodiscard]] text::Json to_json(const actuator::OperatingPoint& point);
+/// That of such a file: its conditions and "current_A", which must be there. Throws text::InputError.
+[[nodiscard]] actuator::OperatingPoint read_operating_point(const text::Node& node);
 
 }  // namespace coilwright::formats

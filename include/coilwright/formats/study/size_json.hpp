@@ -10,6 +10,7 @@
 #include "coilwright/sizing/study/design_problem.hpp"
 #include "coilwright/sizing/study/yield.hpp"
 #include "coilwright/text/json/json.hpp"
+#include "coilwright/text/json/node.hpp"
 
 namespace coilwright::formats {
 
@@ -48,5 +49,7 @@ struct RangeEnd {
 
 /// What `yield --json` prints; its keys are in docs/formats-results.md.
 [[nodiscard]] text::Json to_json(const sizing::Yield& yield);
+/// The same read back, but for its scatters, of which the `as_built` of a result has none. Throws text::InputError.
+[[nodiscard]] sizing::Yield read_yield(const text::Node& node);
 
 }  // namespace coilwright::formats

@@ -96,13 +96,16 @@ Assumptions assumptions_of(const DesignProblem& problem, const sizing::SearchRes
 
 // Of an answer, what builds make of it that the search has not seen.
 std::optional<sizing::Yield> built_of(const DesignProblem& problem, const sizing::SearchResult& result,
-                                      const std::optional<DesignResult>& best, const Interruption& interruption) {
-  constexpr std::size_t builds = 2000;
+                                      const std::optional<DesignResult>& best, const Interruption& interruption,
+                                      bool quiet) {
   const sizing::Study& study = problem.study();
   if (!study.spread || !result.feasible || study.search.afterwards == sizing::Afterwards::nothing) return std::nullopt;
-  return sizing::yield_of(
-      study, std::get<EvaluatedDesign>(*best),
-      {.builds = builds, .seed = study.search.seed, .threads = study.search.threads, .stop = interruption.token()});
+  return yield_with_progress(study, std::get<EvaluatedDesign>(*best),
+                             {.builds = formats::builds_of_answer,
+                              .seed = study.search.seed,
+                              .threads = study.search.threads,
+                              .stop = interruption.token()},
+                             quiet, "the design is found; ");
 }
 
 // Where a nameless correction of the actuator is used by the design found; empty without one.
@@ -133,7 +136,7 @@ ExitCode run_size(const StudyOptions& options) {
       result.best ? std::optional(evaluated_again(problem, result.best->point, result.best->evaluation)) : std::nullopt;
   const DesignResult base = problem.evaluate_base();
   const sizing::Evaluation base_seen = problem.assess(base);
-  std::optional<sizing::Yield> built = built_of(problem, result, best, interruption);
+  std::optional<sizing::Yield> built = built_of(problem, result, best, interruption, options.quiet);
   const Assumptions assumptions = assumptions_of(problem, result, interruption, options.quiet);
   if (interruption.requested()) result.stop_reason = sizing::StopReason::interrupted;
   const formats::SizeReport answer{.study = problem.study(),
@@ -174,8 +177,9 @@ void add_size_command(CLI::App& app, Outcome& outcome) {
       *command, "--answer-only", options->answer_only,
       fmt::format("End with the search: leave out what a step of each variable and a relaxed limit would bring "
                   "(up to some hundred evaluations more), and what becomes of the answer under each other "
-                  "modelling choice (up to {} each), and what 2,000 builds make of the answer to a study with a spread",
-                  sizing::AssumptionOptions().evaluations));
+                  "modelling choice (up to {} each; of a study with a spread one each), and what {} builds make of the "
+                  "answer to a study with a spread",
+                  sizing::AssumptionOptions().evaluations, formats::builds_of_answer));
   command->footer(
       "Writes result.json (everything that is printed, and more), actuator.json (the design, an input of\n"
       "evaluate and simulate), evaluations.csv (every design that was evaluated, with every quantity) and\n"

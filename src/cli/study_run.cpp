@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <atomic>
 #include <chrono>
+#include <iostream>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -13,6 +15,7 @@
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "options.hpp"
+#include "progress_line.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -92,6 +95,20 @@ StudyInput read_study(const StudyOptions& options, const ObjectiveCount& objecti
   return {.study = std::move(study),
           .provenance = {.inputs = std::move(inputs), .changes = options.changes},
           .builds_a_system = builds_a_system};
+}
+
+std::optional<sizing::Yield> yield_with_progress(const sizing::Study& study, const sizing::EvaluatedDesign& design,
+                                                 sizing::YieldOptions how, bool quiet, std::string_view about) {
+  std::atomic<std::size_t> built = 0;
+  std::atomic<std::size_t> of = how.builds;
+  how.progress = [&](std::size_t done, std::size_t all) {
+    built = done;
+    of = all;
+  };
+  const ProgressLine::Place place = progress_place(quiet);
+  const ProgressLine line(std::cerr, place, progress_interval(place),
+                          [&] { return fmt::format("{}{} of {} builds", about, built.load(), of.load()); });
+  return sizing::yield_of(study, design, how);
 }
 
 // A signal handler may not ask a stop_source; this thread looks at the handler's flag for it.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "coilwright/sizing/study/study.hpp"
+#include "coilwright/sizing/study/yield.hpp"
 #include "provenance.hpp"
 #include "signals.hpp"
 
@@ -57,6 +58,12 @@ struct StudyInput {
 /// another number of objectives. `command` and the seed of the provenance are the caller's, as one draws and another
 /// does not.
 [[nodiscard]] StudyInput read_study(const StudyOptions& options, const ObjectiveCount& objectives);
+
+/// sizing::yield_of() that tells on standard error, behind `about`, how many builds are done.
+[[nodiscard]] std::optional<sizing::Yield> yield_with_progress(const sizing::Study& study,
+                                                               const sizing::EvaluatedDesign& design,
+                                                               sizing::YieldOptions how, bool quiet,
+                                                               std::string_view about = {});
 
 /// While it lives, Ctrl-C, SIGTERM and the end of the terminal ask for a stop instead of ending the program.
 class Interruption {

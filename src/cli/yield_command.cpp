@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
 #include <iostream>
 #include <memory>
@@ -22,7 +21,6 @@
 #include "coilwright/text/json/document.hpp"
 #include "commands.hpp"
 #include "options.hpp"
-#include "progress_line.hpp"
 #include "study_run.hpp"
 
 namespace coilwright::cli {
@@ -107,33 +105,19 @@ sizing::Study study_of_one(const YieldCommandOptions& options) {
   return study;
 }
 
-std::optional<sizing::Yield> draw(const sizing::Study& study, const sizing::EvaluatedDesign& design,
-                                  const YieldCommandOptions& options, const Interruption& interruption) {
-  std::atomic<std::size_t> built = 0;
-  std::atomic<std::size_t> of = 0;
-  const ProgressLine::Place place = progress_place(options.quiet);
-  const ProgressLine line(std::cerr, place, progress_interval(place),
-                          [&] { return fmt::format("{} of {} builds", built.load(), of.load()); });
-  return sizing::yield_of(study, design,
-                          {.builds = options.builds,
-                           .worth_builds = options.worth_builds,
-                           .seed = options.seed,
-                           .threads = static_cast<unsigned>(options.threads),
-                           .stop = interruption.token(),
-                           .progress = [&](std::size_t done, std::size_t all) {
-                             built = done;
-                             of = all;
-                           }});
-}
-
 ExitCode run_yield(const YieldCommandOptions& options) {
   const sizing::Study study = study_of_one(options);
   const sizing::DesignResult design = sizing::DesignProblem(study).evaluate_base();
   if (const auto* none = std::get_if<sizing::NotEvaluated>(&design))
     throw text::InputError({.file = options.actuator, .rule = none->reason});
   const Interruption interruption;
-  const std::optional<sizing::Yield> yield =
-      draw(study, std::get<sizing::EvaluatedDesign>(design), options, interruption);
+  const std::optional<sizing::Yield> yield = yield_with_progress(study, std::get<sizing::EvaluatedDesign>(design),
+                                                                 {.builds = options.builds,
+                                                                  .worth_builds = options.worth_builds,
+                                                                  .seed = options.seed,
+                                                                  .threads = static_cast<unsigned>(options.threads),
+                                                                  .stop = interruption.token()},
+                                                                 options.quiet);
   if (!yield) return ExitCode::interrupted;
   std::cout << (options.json ? formats::to_json(*yield).text() : report::to_text(*yield));
   return ExitCode::done;

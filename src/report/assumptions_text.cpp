@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "coilwright/formats/study/design_tables.hpp"
@@ -65,14 +66,7 @@ std::string effect_text(const formats::SizeReport& report, const AssumptionEffec
 }  // namespace
 
 std::string assumptions_text(const formats::SizeReport& report) {
-  const std::string left =
-      report.assumptions_left == 0
-          ? ""
-          : fmt::format("{} other modelling choices were not looked at{}.\n", report.assumptions_left,
-                        report.study.search.afterwards == Afterwards::nothing
-                            ? ", nor what a step of a variable or a relaxed limit would bring (--answer-only)"
-                            : ", as the run was interrupted");
-  if (report.assumptions.empty()) return left.empty() ? "" : '\n' + left;
+  if (report.assumptions.empty()) return {};
   std::string text = "\nWhat this answer rests on: modelling choices that no measurement of this design has settled\n";
   std::string_view subject;
   for (const AssumptionEffect& effect : report.assumptions) {
@@ -82,12 +76,31 @@ std::string assumptions_text(const formats::SizeReport& report) {
     subject = effect.choice.subject;
     text += effect_text(report, effect);
   }
-  if (report.assumptions_left > 0) return text + left;
+  const bool searched =
+      std::ranges::any_of(report.assumptions, [](const AssumptionEffect& each) { return each.evaluations > 1; });
+  if (!searched) text += "Which design would be best under them is not known: with a spread none is searched for.\n";
+  if (report.assumptions_left > 0) return text;
   if (const AssumptionEffect* first = decisive(report.study, *report.result.best, report.assumptions))
     return text + fmt::format("Measure first: {}. The {} decides most about this design.\n", first->choice.settled_by,
                               first->choice.subject);
   return text + fmt::format("No other choice changes the objective by more than {:.3g} % or breaks a limit.\n",
                             100.0 * gain_of_another_design);
+}
+
+std::string left_out_text(const formats::SizeReport& report) {
+  if (!report.result.feasible) return {};
+  const bool answer_only = report.study.search.afterwards == Afterwards::nothing;
+  std::vector<std::string> left;
+  if (report.assumptions_left > 0) left.push_back(fmt::format("{} other modelling choices", report.assumptions_left));
+  // Where the run was not interrupted, there are no steps because nothing can vary.
+  if (report.result.sensitivity.steps.empty() && (answer_only || report.result.stop_reason == StopReason::interrupted))
+    left.emplace_back("what a step of a variable or a relaxed limit would bring");
+  if (report.study.spread && !report.built)
+    left.push_back(fmt::format("what {} builds by fresh dice make of this design", formats::builds_of_answer));
+  if (left.empty()) return {};
+  return fmt::format("\nNot looked at, as {}: {}.\n",
+                     answer_only ? "only the answer was asked for (--answer-only)" : "the run was interrupted",
+                     fmt::join(left, "; "));
 }
 
 }  // namespace coilwright::report

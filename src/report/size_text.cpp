@@ -45,13 +45,11 @@ std::string range_ends_text(const formats::SizeReport& report) {
 std::string headline(const formats::SizeReport& report) {
   const Study& study = report.study;
   std::string text = fmt::format("{}: {}\n\n", study.name, objective_text(study.objectives.front()));
-  // Nothing of the neighbourhood is known where the search itself was interrupted.
-  if (report.result.stop_reason == StopReason::interrupted)
-    text +=
-        report.result.sensitivity.steps.empty()
-            ? fmt::format("INTERRUPTED after {} evaluations of {}: the search may find better; --resume goes on.\n\n",
-                          report.result.search_evaluations, study.search.max_evaluations)
-            : "INTERRUPTED when the search was over: what the design rests on is not known; --resume goes on.\n\n";
+  if (report.result.search_stop_reason == StopReason::interrupted)
+    text += fmt::format("INTERRUPTED after {} evaluations of {}: the search may find better; --resume goes on.\n\n",
+                        report.result.search_evaluations, study.search.max_evaluations);
+  else if (report.result.stop_reason == StopReason::interrupted)
+    text += fmt::format("{}\n\n", interrupted_after_search);
   if (!report.result.best) return text + "No design was evaluated.\n";
   if (report.result.feasible) return text + "Best design";
   return text + "No design that was found keeps every limit. The least infeasible one";
@@ -128,10 +126,10 @@ std::string parts_text(const formats::SizeReport& report) {
   std::vector<simulation::PartLimit> broken = broken_limits(report.study, *evaluated);
   std::erase_if(broken, [&](const simulation::PartLimit& each) {
     return !report.result.feasible && std::ranges::any_of(report.study.limits, [&](const Limit& limit) {
-      return limit.quantity.name == each.quantity;
+      return of_one_build(limit).name == each.quantity;
     });
   });
-  return warning_of_parts(broken) + doubts_text(report.study.base);
+  return warning_of_parts(broken, report.study.spread.has_value()) + doubts_text(report.study.base);
 }
 
 std::string limits_text(const formats::SizeReport& report) {
@@ -151,23 +149,6 @@ std::string limits_text(const formats::SizeReport& report) {
                margin_text(margin, limit.quantity), remark});
   }
   return "\nLimits\n" + table.text(2, {left, right, right, left});
-}
-
-// What other builds than those of the search make of the answer.
-std::string built_text(const formats::SizeReport& report) {
-  if (!report.built) return {};
-  const BuiltQuantity& objective = report.built->quantities.front();
-  std::string text = '\n' + share_text(*report.built);
-  if (objective.p05 && objective.p50 && objective.p95)
-    text += fmt::format("  {}: 5 % of them stay below {}, half below {}, 95 % below {}\n", objective.name,
-                        short_number(*objective.p05), short_number(*objective.p50), short_number(*objective.p95));
-  const std::string shortfalls = shortfalls_text(*report.built);
-  if (shortfalls.empty()) return text;
-  return text + shortfalls +
-         fmt::format(
-             "The search judged every design by {} builds, too few for this; more of them (\"draws\" of the study's "
-             "spread) are the cure.\n",
-             report.study.spread->draws);
 }
 
 std::string relaxations_text(const formats::SizeReport& report) {
@@ -213,20 +194,21 @@ std::string to_text(const formats::SizeReport& report) {
   std::string text = headline(report);
   if (result.best) {
     text += '\n' + variables_text(report) + objective_lines(report) + parts_text(report) + limits_text(report) +
-            built_text(report) + relaxations_text(report) + range_ends_text(report) + steps_text(report);
+            (report.built ? '\n' + built_text(*report.built) + shortfalls_of_answer_text(*report.built) : "") +
+            relaxations_text(report) + range_ends_text(report) + steps_text(report);
     if (report.best)
       if (const auto* evaluated = std::get_if<EvaluatedDesign>(report.best))
         text += "\nAll quantities of this design\n" + to_text(evaluated->view(), report.study.quantities);
-    text += assumptions_text(report);
+    text += assumptions_text(report) + left_out_text(report);
   }
-  text += fmt::format("\nThe search ended because {}. It evaluated {} designs", meaning_of(result.stop_reason),
+  text += fmt::format("\nThe search ended because {}. It evaluated {} designs", meaning_of(result.search_stop_reason),
                       result.search_evaluations);
   if (result.sensitivity_evaluations > 0)
     text += fmt::format(", and {} more around the best one", result.sensitivity_evaluations);
   if (const std::size_t others = formats::evaluations_of_choices(report); others > 0)
     text += fmt::format(" ({} further ones under other modelling choices are not counted)", others);
   return text + fmt::format(": {}.{}\n", to_text(formats::counts_of(result.archive)),
-                            late_gain_text(result.stop_reason, result.archive, result.search_evaluations));
+                            late_gain_text(result.search_stop_reason, result.archive, result.search_evaluations));
 }
 
 }  // namespace coilwright::report

@@ -56,4 +56,8 @@ namespace coilwright::report {
 /// looked at.
 [[nodiscard]] std::string assumptions_text(const formats::SizeReport& report);
 
+/// What of a feasible answer was not looked at, as the run was interrupted or only the answer was asked for; empty
+/// where all was.
+[[nodiscard]] std::string left_out_text(const formats::SizeReport& report);
+
 }  // namespace coilwright::report

@@ -69,8 +69,6 @@ std::string halves_text(const sizing::Yield& yield) {
   return "If one of them scattered half as far, every limit would be kept by\n" + table.text(2, {left, left});
 }
 
-}  // namespace
-
 std::string shortfalls_text(const sizing::Yield& yield) {
   std::string out;
   for (const sizing::BuiltQuantity& each : yield.quantities)
@@ -82,6 +80,26 @@ std::string shortfalls_text(const sizing::Yield& yield) {
 
 std::string share_text(const sizing::Yield& yield) {
   return fmt::format("{} of {} builds by fresh dice keep every limit\n", percent(yield.keeps_all), yield.builds);
+}
+
+}  // namespace
+
+std::string built_text(const sizing::Yield& yield) {
+  const sizing::BuiltQuantity& objective = yield.quantities.front();
+  std::string text = share_text(yield);
+  if (objective.p05 && objective.p50 && objective.p95)
+    text += fmt::format("  {}: 5 % of them stay below {}, half below {}, 95 % below {}\n", objective.name,
+                        short_number(*objective.p05), short_number(*objective.p50), short_number(*objective.p95));
+  return text;
+}
+
+std::string shortfalls_of_answer_text(const sizing::Yield& yield) {
+  const std::string shortfalls = shortfalls_text(yield);
+  if (shortfalls.empty()) return {};
+  return shortfalls +
+         "The search judged every design by too few builds for this: more of them (\"draws\" of the study's spread) "
+         "are "
+         "the cure.\n";
 }
 
 std::string to_text(const sizing::Yield& yield) {

@@ -45,8 +45,10 @@ class Size(ProgramTest):
         self.assertGreater(answer["assumptions_left"], 0)
         self.assertLessEqual(answer["evaluations"]["total"], 20)
         self.assertEqual((answer["evaluations"]["surroundings"], answer["evaluations"]["other_choices"]), (0, 0))
-        self.assertIn(f'{answer["assumptions_left"]} other modelling choices were not looked at, nor what a step of a variable '
-                      "or a relaxed limit would bring (--answer-only).\n", text)
+        self.assertIn("\nNot looked at, as only the answer was asked for (--answer-only): "
+                      f'{answer["assumptions_left"]} other modelling choices; what a step of a variable or a relaxed limit '
+                      "would bring.\n", text)
+        self.assertEqual(answer["search_stop_reason"], answer["stop_reason"])
         # Without the option the rest is made, from where the search ended.
         text = run("size", "study.json", "--out", "out", cwd=self.folder).stdout
         whole = self.result("out/result.json")

@@ -100,13 +100,21 @@ class Spread(ProgramTest):
         self.assertRegex(result.stdout, r"\n[\d.]+ % \([\d.]+ to [\d.]+\) of 2000 builds by fresh dice keep every limit\n"
                                         r"  peak_bending_speed_deg_s: 5 % of them stay below \d+.*\n"
                                         r"MIND: current_A <= 0\.8014 is kept by [\d.]+ % \([\d.]+ to [\d.]+\), not by the 99 % "
-                                        r"that the study asks for\.\nThe search judged every design by 8 builds")
+                                        r"that the study asks for\.\nThe search judged every design by too few builds")
         built = json.loads((self.folder / "out/result.json").read_text())["as_built"]
         current = built["quantities"][1]
         self.assertEqual((built["builds"], current["quantity"], current["asked"]), (2000, "current_A", 0.99))
         self.assertLess(current["keeps"]["high"], 0.99)
-        run("size", "study.json", "--out", "short", "--max-evaluations", "40", "--answer-only", cwd=self.folder)
+        text = run("size", "study.json", "--out", "short", "--max-evaluations", "40", "--answer-only", cwd=self.folder).stdout
+        self.assertRegex(text, r"\nNot looked at, as only the answer was asked for \(--answer-only\): .*; what 2000 builds by fresh "
+                               r"dice make of this design\.\n")
         self.assertIsNone(json.loads((self.folder / "short/result.json").read_text())["as_built"])
+
+    def test_a_limit_that_size_offers_is_one_of_builds(self):
+        write_study(self, **SPREAD, operating_point={"current_A": 1.4, "duty": 1}, constraints=[],
+                    variables={"turns_radial": {"lower": 10, "upper": 12}})
+        text = run("size", "study.json", "--out", "out", "--answer-only", cwd=self.folder).stdout
+        self.assertIn('{"quantity": "p95_thermal_load", "at_most": 1}', text)
 
     def test_another_spread_is_another_question(self):
         write_study(self, **ROBUST)

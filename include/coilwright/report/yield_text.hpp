@@ -9,9 +9,11 @@ namespace coilwright::report {
 /// What becomes of a design when it is built, for a person.
 [[nodiscard]] std::string to_text(const sizing::Yield& yield);
 
-/// Of that the line on the builds that keep every limit, and one for each limit that fewer builds keep than is asked
-/// for, beyond the error of the dice; of these none where there are none.
-[[nodiscard]] std::string share_text(const sizing::Yield& yield);
-[[nodiscard]] std::string shortfalls_text(const sizing::Yield& yield);
+/// What builds make of the answer of a search that has not seen them: how many keep every limit, and its objective.
+[[nodiscard]] std::string built_text(const sizing::Yield& yield);
+
+/// A line for each limit that fewer builds of such an answer keep than is asked for, beyond the error of the dice, and
+/// one with the cure; empty where there are none.
+[[nodiscard]] std::string shortfalls_of_answer_text(const sizing::Yield& yield);
 
 }  // namespace coilwright::report

@@ -216,6 +216,7 @@ Json to_json(const SizeReport& report) {
   const auto* evaluated = report.best ? std::get_if<EvaluatedDesign>(report.best) : nullptr;
 
   Json out = result_head("size", report.study, result.stop_reason);
+  out.set("search_stop_reason", name_of(result.search_stop_reason));
   out.set("evaluations", std::move(evaluations)).set("feasible", result.feasible);
   out.set("late_gain", late_gain(result.archive, result.search_evaluations));
   out.set("best", best_json(report)).set("violated", Json::list(result.violated)).set("base", base_json(report));

@@ -102,7 +102,7 @@ std::string state_of(const PartLimit& limit) {
 }
 
 // A line for each, and the constraints that keep them.
-std::string lines_of(std::span<const PartLimit> broken, std::string_view advice) {
+std::string lines_of(std::span<const PartLimit> broken, bool in_builds, std::string_view advice) {
   std::string text;
   std::vector<std::string> constraints;
   for (const PartLimit& limit : broken) {
@@ -112,9 +112,10 @@ std::string lines_of(std::span<const PartLimit> broken, std::string_view advice)
     // The limits of temperature are those of one wire and one grade of magnet, which the study may vary: the load is
     // over whichever the design has.
     const bool of_heat = limit.quantity.ends_with("_degC");
+    const std::string_view statistic = !in_builds ? "" : limit.at_most ? "p95_" : "p05_";
     std::string constraint =
-        of_heat ? R"({"quantity": "thermal_load", "at_most": 1})"
-                : fmt::format(R"({{"quantity": "{}", "{}": {:.5g}}})", limit.quantity, side, limit.limit);
+        of_heat ? fmt::format(R"({{"quantity": "{}thermal_load", "at_most": 1}})", statistic)
+                : fmt::format(R"({{"quantity": "{}{}", "{}": {:.5g}}})", statistic, limit.quantity, side, limit.limit);
     if (std::ranges::find(constraints, constraint) == constraints.end()) constraints.push_back(std::move(constraint));
   }
   return text + fmt::format("{} {}\n", advice, fmt::join(constraints, ", "));
@@ -131,7 +132,7 @@ std::string to_text(std::span<const PartLimit> limits) {
   return text;
 }
 
-std::string warning_of_parts(std::span<const PartLimit> broken) {
+std::string warning_of_parts(std::span<const PartLimit> broken, bool in_builds) {
   const auto those = [&](bool conditional) {
     std::vector<PartLimit> out(broken.begin(), broken.end());
     std::erase_if(out, [conditional](const PartLimit& limit) { return limit.conditional != conditional; });
@@ -140,10 +141,11 @@ std::string warning_of_parts(std::span<const PartLimit> broken) {
   std::string text;
   if (const std::vector<PartLimit> fatal = those(false); !fatal.empty())
     text += "\nBEWARE: this design breaks limits of its parts that the study does not set\n" +
-            lines_of(fatal, "Add to the study's \"constraints\" and size anew:");
+            lines_of(fatal, in_builds, "Add to the study's \"constraints\" and size anew:");
   if (const std::vector<PartLimit> conditional = those(true); !conditional.empty())
-    text += "\nMIND what this design needs, or gives up\n" +
-            lines_of(conditional, "Where that will not do, add to the study's \"constraints\" and size anew:");
+    text +=
+        "\nMIND what this design needs, or gives up\n" +
+        lines_of(conditional, in_builds, "Where that will not do, add to the study's \"constraints\" and size anew:");
   return text;
 }
 

@@ -14,6 +14,9 @@
 
 namespace coilwright::formats {
 
+/// Builds by fresh dice with which `size` ends a study with a spread.
+inline constexpr std::size_t builds_of_answer = 2000;
+
 /// What `size` found, to be written. Everything referred to must outlive it.
 struct SizeReport {
   const sizing::Study& study;           ///< with the options that were used

@@ -10,8 +10,8 @@
 namespace coilwright::report {
 
 /// A warning of limits that a design breaks as its study does not set them, then of conditional ones, each with how to
-/// keep them; empty where there are none.
-[[nodiscard]] std::string warning_of_parts(std::span<const simulation::PartLimit> broken);
+/// keep them; empty where there are none. `in_builds`: they are to be kept by 95 % of the builds of a study's spread.
+[[nodiscard]] std::string warning_of_parts(std::span<const simulation::PartLimit> broken, bool in_builds);
 
 /// Measured values that lie far from what the dimensions of the same file give; empty where none does.
 [[nodiscard]] std::string doubts_text(const actuator::Design& design);

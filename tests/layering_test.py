@@ -32,8 +32,8 @@ ROOMS = {
     "exports": "formats/actuator control",
     "report/simulation": "control",
     "report": "report/simulation formats/data formats/study",
-    "page": "exports formats/study",
-    "cli": "report page",
+    "page": "exports report",
+    "cli": "page",
 }
 
 # Folders inside a room, in the order of its method: each includes only those before it, and what lies in the room itself

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 #include "coilwright/page/page.hpp"
 #include "coilwright/page/pages.hpp"
+#include "coilwright/sizing/study/yield.hpp"
 #include "coilwright/text/json/node.hpp"
 
 // What would change the answer of `size`; `result` is the root of its result.json.
@@ -13,6 +15,9 @@ namespace coilwright::page {
 
 /// The page of a folder that `size` has written; `result` is the root of its result.json.
 [[nodiscard]] Page sizing_page(const std::filesystem::path& folder, const text::Node& result, std::string_view made_by);
+
+/// What builds make of the answer to a study with a spread; without `built`, why none were made.
+[[nodiscard]] Section builds_section(const text::Node& result, const std::optional<sizing::Yield>& built);
 
 /// What one step of each variable and each limit relaxed would bring.
 [[nodiscard]] Section sensitivity_section(const text::Node& result);

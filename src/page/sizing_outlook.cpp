@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coilwright/page/chart.hpp"
+#include "coilwright/report/yield_text.hpp"
 #include "page/result_words.hpp"
 
 namespace coilwright::page {
@@ -22,7 +23,22 @@ std::string violations_text(const Node& step) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+// Of what `size` looks at behind its search.
+std::string why_left_out(const Node& result) {
+  if (!is_feasible(result)) return "no design keeps every limit";
+  return was_interrupted(result) ? "the run was interrupted" : "the answer only was asked for";
+}
+
 }  // namespace
+
+Section builds_section(const Node& result, const std::optional<sizing::Yield>& built) {
+  Section section{.id = "builds", .title = "What other builds make of it"};
+  if (built)
+    section.blocks.emplace_back(Listing{report::built_text(*built)});
+  else
+    section.blocks.emplace_back(Paragraph{fmt::format("None were made: {}.", why_left_out(result))});
+  return section;
+}
 
 Section sensitivity_section(const Node& result) {
   Section section{.id = "sensitivity", .title = "What a change would bring"};
@@ -49,7 +65,7 @@ Section sensitivity_section(const Node& result) {
   if (!chart.bars.empty()) section.blocks.emplace_back(figure_of(chart));
   if (table.rows.empty())
     section.blocks.emplace_back(Paragraph{
-        "No steps were looked at: the search was interrupted or its answer only was asked for, or nothing can vary."});
+        "No steps were looked at: the run was interrupted or its answer only was asked for, or nothing can vary."});
   else
     section.blocks.emplace_back(TableBlock{.caption = "Steps of the variables", .table = std::move(table)});
   Table relaxed{.header = {"limit", "relaxed to", "gain at least", "by the design"}};
@@ -67,10 +83,8 @@ Section assumptions_section(const Node& result) {
   Section section{.id = "assumptions", .title = "What the answer rests on"};
   const std::vector<Node> all = member_of(result, "assumptions").elements();
   if (all.empty()) {
-    section.blocks.emplace_back(Paragraph{fmt::format("No other modelling choice was looked at: {}.",
-                                                      !is_feasible(result)      ? "no design keeps every limit"
-                                                      : was_interrupted(result) ? "the search was interrupted"
-                                                                                : "the answer only was asked for")});
+    section.blocks.emplace_back(
+        Paragraph{fmt::format("No other modelling choice was looked at: {}.", why_left_out(result))});
     return section;
   }
   BarChart chart{.id = "choices",
@@ -89,14 +103,16 @@ Section assumptions_section(const Node& result) {
     const std::vector<Node> objectives =
         member_of(each, "objectives").is_null() ? std::vector<Node>{} : member_of(each, "objectives").members();
     const auto worst = each.find("worst_margin");
+    const auto other = each.find("other_best");
+    const bool not_searched = result.find("as_built") && other && other->is_null();  // as of a study with a spread
     const bool known = !objectives.empty() && !objectives.front().is_null();
-    table.rows.push_back({cell_of(each, "subject"), cell_of(each, "taken"), cell_of(each, "otherwise"),
-                          known ? cell_of(objectives.front()) : "-",
-                          worst && !worst->is_null()
-                              ? fmt::format("{} ({:.3g})", cell_of(*worst, "limit"),
-                                            100.0 * member_of(*worst, "relative_margin").number())
-                              : "-",
-                          cell_of(each, "changes_design"), cell_of(each, "settled_by")});
+    table.rows.push_back(
+        {cell_of(each, "subject"), cell_of(each, "taken"), cell_of(each, "otherwise"),
+         known ? cell_of(objectives.front()) : "-",
+         worst && !worst->is_null() ? fmt::format("{} ({:.3g})", cell_of(*worst, "limit"),
+                                                  100.0 * member_of(*worst, "relative_margin").number())
+                                    : "-",
+         not_searched ? "not searched" : cell_of(each, "changes_design"), cell_of(each, "settled_by")});
     if (known)
       chart.bars.push_back({.label = fmt::format("{}: {}", table.rows.back()[0], table.rows.back()[2]),
                             .value = objectives.front().number(),

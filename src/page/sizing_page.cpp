@@ -4,14 +4,20 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "coilwright/formats/actuator/actuator_file.hpp"
+#include "coilwright/formats/actuator/actuator_json.hpp"
+#include "coilwright/formats/study/size_json.hpp"
 #include "coilwright/page/chart.hpp"
 #include "coilwright/page/design_figures.hpp"
+#include "coilwright/report/size_text.hpp"
+#include "coilwright/report/yield_text.hpp"
 #include "coilwright/simulation/evaluate.hpp"
 #include "coilwright/text/csv/csv_texts.hpp"
 #include "page/result_words.hpp"
@@ -21,8 +27,15 @@ namespace {
 
 using text::Node;
 
-// Of an interrupted search, and of what the design found breaks of its parts as the study does not set it.
-std::vector<std::string> cautions_of_design(const Node& result) {
+// Why the search itself ended; of results that do not say so, why the run did.
+std::string search_stop_reason(const Node& result) {
+  const auto reason = result.find("search_stop_reason");
+  return reason ? reason->text() : cell_of(result, "stop_reason");
+}
+
+// Of an interrupted run, of what the design found breaks of its parts as the study does not set it, and of limits that
+// too few builds keep.
+std::vector<std::string> cautions_of_design(const Node& result, const std::optional<sizing::Yield>& built) {
   const auto limits = result.find("part_limits");
   std::vector<std::string> broken;
   std::vector<std::string> conditional;
@@ -35,12 +48,17 @@ std::vector<std::string> cautions_of_design(const Node& result) {
                                cell_of(each, "consequence")));
   }
   std::vector<std::string> out;
-  if (was_interrupted(result)) out.emplace_back(interrupted_caution);
+  if (was_interrupted(result))
+    out.emplace_back(search_stop_reason(result) == "interrupted" ? interrupted_caution
+                                                                 : report::interrupted_after_search);
   if (!is_feasible(result)) return out;
   if (!broken.empty())
     out.push_back(fmt::format("BEWARE: it breaks limits of its parts that the study does not set ({}).",
                               fmt::join(broken, "; ")));
   if (broken.empty() && !conditional.empty()) out.push_back(fmt::format("MIND: {}.", fmt::join(conditional, "; ")));
+  if (built)
+    if (std::string shortfalls = report::shortfalls_of_answer_text(*built); !shortfalls.empty())
+      out.push_back(std::move(shortfalls));
   return out;
 }
 
@@ -144,14 +162,14 @@ Section convergence_section(const std::filesystem::path& folder, const Node& res
     return name == "evaluation" || name == "status" || name == objective;
   });
   require_rows(all, evaluations_of(result));
-  Chart chart{
-      .id = "search",
-      .title = "Every design of the search",
-      .description = fmt::format(
-          "The best {} so far, and the value of every design that was evaluated; {} ended the search after {} designs.",
-          objective, cell_of(result, "stop_reason"), cell_of(member_of(result, "evaluations"), "total")),
-      .x_title = "evaluation",
-      .y_title = objective};
+  Chart chart{.id = "search",
+              .title = "Every design of the search",
+              .description = fmt::format(
+                  "The best {} so far, and the value of every design that was evaluated; {} ended "
+                  "the search after {} designs.",
+                  objective, search_stop_reason(result), cell_of(member_of(result, "evaluations"), "total")),
+              .x_title = "evaluation",
+              .y_title = objective};
   for (const auto& [status, name] : {std::pair{"infeasible", "breaks a limit"}, std::pair{"ok", "keeps every limit"}}) {
     Series series{.name = name, .mark = Mark::faint};
     for (std::size_t row = 0; all.has(objective) && row < all.rows(); ++row) {
@@ -210,9 +228,15 @@ Section quantities_section(const Node& result) {
 }  // namespace
 
 Page sizing_page(const std::filesystem::path& folder, const Node& result, std::string_view made_by) {
+  const auto builds = result.find("as_built");  // null where they were left out
+  const std::optional<sizing::Yield> built =
+      builds && !builds->is_null() ? std::optional(formats::read_yield(*builds)) : std::nullopt;
+  // Nothing is made of it here, as actuator.json has it too; a result with something else in its place is none.
+  if (const auto point = result.find("operating_point"); point && !point->is_null())
+    (void)formats::read_operating_point(*point);
   Page page{.title = fmt::format("{}: sizing", member_of(result, "study").text()),
             .verdict = verdict_of(result),
-            .cautions = cautions_of_design(result),
+            .cautions = cautions_of_design(result, built),
             .origin = origin_text(folder, made_by),
             .inputs = input_lines(folder)};
   const Node best = member_of(result, "best");
@@ -225,6 +249,7 @@ Page sizing_page(const std::filesystem::path& folder, const Node& result, std::s
   page.sections.push_back(std::move(design.front()));
   page.sections.push_back(limits_section(result));
   for (std::size_t i = 1; i < design.size(); ++i) page.sections.push_back(std::move(design[i]));
+  if (builds) page.sections.push_back(builds_section(result, built));
   page.sections.push_back(sensitivity_section(result));
   page.sections.push_back(assumptions_section(result));
   page.sections.push_back(convergence_section(folder, result));

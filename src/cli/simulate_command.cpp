@@ -98,8 +98,10 @@ CommandedInput command_of(const SimulateOptions& options, const actuator::Model&
   } catch (const std::invalid_argument& rule) {
     const std::string text = rule.what();
     const bool is_frequency = text.starts_with("frequency");
-    throw text::InputError(
-        {.file = is_frequency ? "--sine, --interval-s" : "--duration-s, --interval-s", .rule = text});
+    throw text::InputError({.file = is_frequency            ? "--sine, --interval-s"
+                                    : options.input.empty() ? "--duration-s, --interval-s"
+                                                            : "--interval-s",
+                            .rule = text});
   }
 }
 
@@ -159,7 +161,7 @@ Recording record(const actuator::Model& model, const ModelInput& input, const St
     return fmt::format("the motion is known to {:.6g} s of {:.6g} s", reached.load(), input.times.back());
   });
   const simulation::Accuracy accuracy{.progress = [&](double time) { reached = time; }};
-  Recording out{.states = simulation::simulate(model, input, start, accuracy), .bending = {}};
+  Recording out;
   const auto show = [&](const std::vector<State>& states) {
     for (const State& state : states) {
       const std::span<const double> internal(state.internal.data(), static_cast<std::size_t>(state.internal.size()));
@@ -167,10 +169,10 @@ Recording record(const actuator::Model& model, const ModelInput& input, const St
       out.bending.push_back(model.observed(model.bending_angle(angles)));
     }
   };
-  if (model.delay() != 0.0)
-    show(simulation::simulate_as_observed(model, input, start, accuracy));
-  else
-    show(out.states);
+  // First, so that the states of two motions are never held at once.
+  if (model.delay() != 0.0) show(simulation::simulate_as_observed(model, input, start, accuracy));
+  out.states = simulation::simulate(model, input, start, accuracy);
+  if (model.delay() == 0.0) show(out.states);
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -10,21 +11,23 @@
 namespace coilwright::simulation {
 namespace {
 
-constexpr double most_samples = 1e8;
-
-double count_of_intervals(double duration, double interval) {
+void require_interval(double interval) {
   if (!std::isfinite(interval) || interval <= 0.0)
     throw std::invalid_argument(fmt::format("interval must be finite and > 0; got {}", interval));
-  const double count = std::floor(duration / interval * (1.0 + 1e-12));
+}
+
+void require_few(std::string_view what, double count, std::string_view cure) {
   if (count > most_samples)
-    throw std::invalid_argument(fmt::format("duration / interval must be at most {}; got {}", most_samples, count));
-  return count;
+    throw std::invalid_argument(
+        fmt::format("{} must be at most {} samples; got {}: {}", what, most_samples, count, cure));
 }
 
 std::vector<double> sample_times(double duration, double interval) {
   if (!std::isfinite(duration) || duration <= 0.0)
     throw std::invalid_argument(fmt::format("duration must be finite and > 0; got {}", duration));
-  const double count = count_of_intervals(duration, interval);
+  require_interval(interval);
+  const double count = std::floor(duration / interval * (1.0 + 1e-12));
+  require_few("duration / interval", count, "a longer interval, or a shorter duration");
   std::vector<double> times;
   times.reserve(static_cast<std::size_t>(count) + 1);
   for (std::size_t i = 0; i <= static_cast<std::size_t>(count); ++i) times.push_back(static_cast<double>(i) * interval);
@@ -66,14 +69,19 @@ CommandedInput sine_command(const SineInput& sine) {
 }
 
 CommandedInput sampled_at_least_every(const CommandedInput& command, double interval) {
-  if (!command.times.empty()) (void)count_of_intervals(command.times.back() - command.times.front(), interval);
+  require_interval(interval);
+  const auto gap_after = [&](std::size_t i) { return command.times[i + 1] - command.times[i]; };
+  const auto pieces_of = [&](double gap) { return std::ceil(gap / interval * (1.0 - 1e-12)); };
+  double samples = 0.0;
+  for (std::size_t i = 0; i + 1 < command.times.size(); ++i) samples += std::max(1.0, pieces_of(gap_after(i)));
+  require_few("the input at this interval", samples, "a longer interval, or a shorter input");
   CommandedInput out{.drive = command.drive, .addressing = command.addressing};
   for (std::size_t i = 0; i < command.times.size(); ++i) {
     out.times.push_back(command.times[i]);
     out.rows.push_back(command.rows[i]);
     if (i + 1 == command.times.size()) break;
-    const double gap = command.times[i + 1] - command.times[i];
-    const double pieces = std::ceil(gap / interval * (1.0 - 1e-12));
+    const double gap = gap_after(i);
+    const double pieces = pieces_of(gap);
     for (double k = 1.0; k < pieces; k += 1.0) {
       out.times.push_back(command.times[i] + gap * k / pieces);
       out.rows.push_back(command.rows[i]);

@@ -127,9 +127,12 @@ class Simulate(ProgramTest):
         self.assert_refused(["simulate", PAPER_FINGER, "--input", "input.csv", "--duration-s", "2", "--out", "x.csv"],
                             "simulate: --duration-s: is of --step-A and --sine: an input lasts as long as its file says "
                             "(see coilwright simulate --help)")
-        self.assert_refused(["simulate", PAPER_FINGER, "--step-A", "1", "--duration-s", "1e6", "--interval-s", "1e-4",
-                             "--out", "x.csv"],
-                            "--duration-s, --interval-s: duration / interval must be at most 100000000; got 10000000000")
+        self.assert_refused(["simulate", PAPER_FINGER, "--step-A", "1", "--duration-s", "20000", "--out", "x.csv"],
+                            "--duration-s, --interval-s: duration / interval must be at most 1000000 samples; got "
+                            "10000000: a longer interval, or a shorter duration")
+        self.assert_refused(["simulate", PAPER_FINGER, "--input", "input.csv", "--interval-s", "1e-7", "--out", "x.csv"],
+                            "--interval-s: the input at this interval must be at most 1000000 samples; got "
+                            "10100000: a longer interval, or a shorter input")
 
     def test_a_sine_that_its_samples_cannot_show_is_refused(self):
         # Sampled at its own frequency it would be a finger at rest.

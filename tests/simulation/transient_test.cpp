@@ -304,7 +304,11 @@ TEST(ModelInput, SamplesStepsAndSines) {
       "interval must be finite and > 0; got 0");
   EXPECT_EQ(
       coilwright::error_text([&] { (void)step_input(model, {.current = 1.0, .duration = 1.0, .interval = 1e-9}); }),
-      "duration / interval must be at most 100000000; got 1000000000");
+      "duration / interval must be at most 1000000 samples; got 1000000000: a longer interval, or a shorter duration");
+  const CommandedInput ten_seconds{.times = {0.0, 10.0}, .rows = {{1.0}, {1.0}}};
+  EXPECT_EQ(coilwright::error_text([&] { (void)sampled_at_least_every(ten_seconds, 1e-6); }),
+            "the input at this interval must be at most 1000000 samples; got 10000000: a longer interval, or a shorter "
+            "input");
 }
 
 }  // namespace

@@ -5,6 +5,10 @@
 
 namespace coilwright::simulation {
 
+/// Samples that one motion may have after its first. It is held as a whole, in half a kilobyte a sample, as a synthetic
+/// record in one. Commands, experiments and records beyond it are refused before anything is simulated.
+inline constexpr double most_samples = 1e6;
+
 /// What a command sets: the current in the coils, the voltage across them, or torques at the joints (a rig that is
 /// pushed by hand or by a motor, without magnetics).
 enum class Drive { current, voltage, torque };
@@ -30,7 +34,7 @@ struct StepInput {
   double duration{};  ///< s; > 0
   double interval{};  ///< s; > 0
 };
-/// Throws std::invalid_argument naming the field, the rule and the value.
+/// Throws std::invalid_argument naming the field, the rule and the value; also above `most_samples`.
 [[nodiscard]] CommandedInput step_command(const StepInput& step);
 
 /// offset + amplitude sin(2 pi f t) in every coil, held between samples: (23) of the paper at 0.7 A and 0.7 A.
@@ -45,7 +49,8 @@ struct SineInput {
 [[nodiscard]] CommandedInput sine_command(const SineInput& sine);
 
 /// The same command with further samples, which hold what it holds, so that none is further than `interval`, s, from
-/// the next; its own stay. Throws as step_command() does.
+/// the next; its own stay. Throws as step_command() does, also where those that are there and the further ones are too
+/// many.
 [[nodiscard]] CommandedInput sampled_at_least_every(const CommandedInput& command, double interval);
 
 }  // namespace coilwright::simulation

@@ -24,7 +24,6 @@ using namespace measurement::experiment;
 
 // Bounds far beyond any rig, and low enough that a wrong file is refused before it is simulated.
 constexpr Rule angle_rule = Rule::between(-180.0, 180.0);  // deg
-constexpr double most_samples = 1e6;
 constexpr std::size_t most_points = 100'000;
 constexpr std::size_t most_planned_runs = 1000;
 
@@ -96,9 +95,9 @@ std::string read_file_name(const Node& node) {
 
 void require_samples(const ObjectReader& in, const PlannedRun& planned) {
   const double samples = planned.duration * planned.rate;
-  if (samples < 5.0 || samples > most_samples)
-    throw in.node().error_without_value(
-        fmt::format("duration_s times sampling_rate_Hz must be from 5 to {:.0f}; got {:g}", most_samples, samples));
+  if (samples < 5.0 || samples > simulation::most_samples)
+    throw in.node().error_without_value(fmt::format("duration_s times sampling_rate_Hz must be from 5 to {}; got {:g}",
+                                                    simulation::most_samples, samples));
 }
 
 // A change after the end of its run is a slip of a number: nothing of it would be recorded.

@@ -57,6 +57,7 @@ std::vector<double> read_times(const CsvTable& table, const CsvLayout& layout) {
       "time", ", and a run of each in dataset.json",
       fmt::format("; in dataset.json, give that as \"sampling_rate_Hz\", and {} in \"ignore\"", in_quotes(source)));
   if (table.rows() < 2) throw table.error("time", 0, "must be followed by a second sample");
+  require_few_samples(table);
   return values_of(table, "time");
 }
 

@@ -26,6 +26,7 @@ InputColumns ask(CsvHeader& header) {
 
 CommandedInput command_of(const CsvTable& table, const InputColumns& input) {
   table.require_increasing("time");
+  require_few_samples(table);
   CommandedInput command{.drive = input.drive, .addressing = input.addressing};
   const auto times = table.column("time");
   command.times.assign(times.begin(), times.end());

@@ -19,9 +19,8 @@ namespace {
 using actuator::Model;
 using simulation::State;
 
-constexpr double step_time = 0.1;            // s, from the start of a record
-constexpr double shortest_sine = 1.0;        // s
-constexpr double most_frames = 1'000'000.0;  // as a run of an experiment may have
+constexpr double step_time = 0.1;      // s, from the start of a record
+constexpr double shortest_sine = 1.0;  // s
 
 void require_each_once(std::vector<double> values, std::string_view name, std::string_view unit) {
   std::ranges::sort(values);
@@ -32,8 +31,8 @@ void require_each_once(std::vector<double> values, std::string_view name, std::s
 void check(const Camera& camera) {
   require(camera.frame_rate > 0.0, "frame rate", "finite and > 0", camera.frame_rate, "Hz");
   require(camera.step_duration > step_time, "step duration", "finite and > 0.1", camera.step_duration, "s");
-  require(camera.step_duration * camera.frame_rate <= most_frames, "frames of a step", "at most 1000000",
-          camera.step_duration * camera.frame_rate, "frames");
+  require(camera.step_duration * camera.frame_rate <= simulation::most_samples, "frames of a step",
+          fmt::format("at most {}", simulation::most_samples), camera.step_duration * camera.frame_rate, "frames");
   require(true, "amplitude", "finite", camera.amplitude, "A");
   require(true, "offset", "finite", camera.offset, "A");
   require_some(!camera.steps.empty() || !camera.frequencies.empty(), "steps and sines");
@@ -41,8 +40,8 @@ void check(const Camera& camera) {
   for (const double frequency : camera.frequencies) {
     require(frequency > 0.0 && frequency <= 0.1 * camera.frame_rate, "frequency",
             "> 0 and at most a tenth of the frame rate", frequency, "Hz");
-    require(2.0 / frequency * camera.frame_rate <= most_frames, "frames of a sine", "at most 1000000",
-            2.0 / frequency * camera.frame_rate, "frames");
+    require(2.0 / frequency * camera.frame_rate <= simulation::most_samples, "frames of a sine",
+            fmt::format("at most {}", simulation::most_samples), 2.0 / frequency * camera.frame_rate, "frames");
   }
   require_each_once(camera.steps, "step", "A");
   require_each_once(camera.frequencies, "frequency", "Hz");

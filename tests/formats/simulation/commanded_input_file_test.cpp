@@ -71,6 +71,16 @@ TEST(CommandedInput, RefusesALevelBeyondAnyHardware) {
             "x.csv: line 2: column torque2_Nmm: must be from -1000000 to 1000000; got 2000000");
 }
 
+// They would be held as a whole, in some half a kilobyte each.
+TEST(CommandedInput, RefusesMoreSamplesThanASimulationHolds) {
+  std::string text = "time_s,current_A\n";
+  for (int i = 0; i <= 1'000'000; ++i) text += std::to_string(i) + ",1\n";
+  EXPECT_EQ(parse_commanded_input(text, "x.csv").times.size(), 1'000'001u);
+  EXPECT_EQ(refusal(text + "1000001,1\n"),
+            "x.csv: line 1000002: column time_s: must be the last: there may be 1000000 intervals, and the file has "
+            "1000001; keep one row of 2, or cut the file; got 1000000");
+}
+
 TEST(CommandedInput, RefusesATimeThatGoesBackOrStandsStill) {
   EXPECT_EQ(refusal("time_s,current_A\n0.1,2\n0.3,2\n0.2,2\n"),
             "x.csv: line 4: column time_s: must exceed the value before it (0.3); the clock starts again here, so the "

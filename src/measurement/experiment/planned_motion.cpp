@@ -136,6 +136,22 @@ Eigen::VectorXd motion(const PlannedRun& planned, const replay::PreparedRun& pre
                                        planned.plan.name, largest, unit_of_drive(planned.plan.drive)));
 }
 
+// A shape that bends is held for such a piece of a sample at most, at its level in the middle of that.
+constexpr double pieces_of_a_sample = 10.0;
+
+// At how many times a run is simulated, at most.
+double simulated_times(const PlannedRun& planned) {
+  const data::RecordingClock& clock = planned.plan.clock;
+  const double samples = planned.duration * planned.rate;
+  if (!shape_drives(planned) && clock.exposure == 0.0 && clock.offset_sigma == 0.0 && clock.rate_sigma == 0.0)
+    return samples;
+  const auto* pulse = std::get_if<PulseShape>(&planned.input);
+  return (clock.exposure > 0.0 ? static_cast<double>(exposure_points.size()) : 1.0) * samples +
+         pieces_of_a_sample * std::max(planned.rate, planned.input_rate) *
+             (planned.duration + 2.0 * largest_shift(planned)) +
+         (pulse != nullptr ? 2.0 * planned.duration / pulse->period : 0.0);
+}
+
 // The same run sampled where the rig moves: at every look of the camera, at every edge, and between them.
 data::Run as_it_moves(const PlannedRun& planned, const data::Run& run, const SampleClock& clock, const Model& model) {
   std::set<double> times;
@@ -145,8 +161,7 @@ data::Run as_it_moves(const PlannedRun& planned, const data::Run& run, const Sam
   const double last = std::max(run.times_of_inputs().back(), *times.rbegin());
   for (const double edge : edges(planned))
     if (edge > first && edge < last) times.insert(edge);
-  // A shape that bends is held for a tenth of a sample at most, at its level in the middle of that.
-  const double interval = 0.1 / std::max(planned.rate, planned.input_rate);
+  const double interval = 1.0 / pieces_of_a_sample / std::max(planned.rate, planned.input_rate);
   for (double i = 0.0; first + i * interval < last; i += 1.0) times.insert(first + i * interval);
   times.insert(last);
   data::Run out = as_simulated(run);
@@ -208,6 +223,22 @@ const char* unit_of_drive(data::Drive drive) {
   return "";
 }
 
+void require_few_samples(const Experiment& experiment) {
+  constexpr std::string_view cure = "shorten duration_s, or lower sampling_rate_Hz";
+  double together = 0.0;
+  for (const PlannedRun& planned : experiment.runs) {
+    if (const double times = simulated_times(planned); times > simulation::most_samples)
+      throw std::invalid_argument(
+          fmt::format("{}: must be simulated at {} times at most (a sample is one; with an exposure, two clocks or an "
+                      "input between samples some 10 to 15); got {:.0f}: {}",
+                      planned.plan.name, simulation::most_samples, times, cure));
+    together += planned.duration * planned.rate;
+  }
+  if (together > simulation::most_samples)
+    throw std::invalid_argument(fmt::format("the runs must have at most {} samples together; got {:.0f}: {}",
+                                            simulation::most_samples, together, cure));
+}
+
 data::Run with_inputs(const PlannedRun& planned, const actuator::Model& model) {
   data::Run run = planned.plan;
   const bool timed = has_times(run);
@@ -245,7 +276,7 @@ Eigen::VectorXd true_values(const PlannedRun& planned, const data::Run& recorded
   }
   const bool plain = !shape_drives(planned) && run.clock.exposure == 0.0 && clock.shift == 0.0 && clock.rate == 0.0;
   if (plain) {
-    const data::Run simulated = as_simulated(run);
+    const data::Run simulated = as_simulated(std::move(run));
     replay::require_fits_model(simulated, rig, model);
     // Its rows as they are: a fast sine that is sampled a few times a period would pass as noise of a recorded input.
     replay::Window window{.range = {.first = 0, .last = simulated.times.size()}};

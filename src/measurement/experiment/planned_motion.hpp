@@ -11,6 +11,10 @@ namespace coilwright::measurement::experiment {
 /// The SI unit of what drives a run, as a reader sees it.
 [[nodiscard]] const char* unit_of_drive(data::Drive drive);
 
+/// Throws std::invalid_argument, naming the run, the number and the cure, where a run is to be simulated at more times
+/// than simulation::most_samples, or where all runs together have more samples.
+void require_few_samples(const Experiment& experiment);
+
 /// The planned run with its times and inputs, and with values that are still zero. Throws std::invalid_argument where
 /// it drives a coil or a joint that the model does not have.
 [[nodiscard]] data::Run with_inputs(const PlannedRun& planned, const actuator::Model& model);

@@ -75,6 +75,7 @@ std::vector<TrueClock> true_clocks(const Experiment& experiment, std::uint64_t s
 std::vector<data::Run> simulate_experiment(const Experiment& experiment, const replay::DeclaredModel& rig,
                                            std::span<const actuator::Effect> hidden, std::uint64_t seed) {
   constexpr std::size_t input_stream = 1'000'001;
+  require_few_samples(experiment);
   const std::vector<TrueClock> clocks = true_clocks(experiment, seed);
   std::vector<data::Run> out;
   for (const PlannedRun& planned : experiment.runs) {

@@ -273,11 +273,9 @@ std::optional<WindowPrediction> predict_window(const Model& model, const Prepare
   plain.channels = prepared.run->channels;
   PreparedRun as_planned{.run = &plain};
   const LocalNumbers none(as_planned, {.range = window.range});
-  WindowPrediction out{
-      .values = observed_values(model, as_planned, window, *motion, {.numbers = &none, .values = none.mean()})};
-  for (std::size_t i = window.range.first; i < window.range.last; ++i)
-    out.states.push_back(motion->at(prepared.run->times[i]));
-  return out;
+  return WindowPrediction{
+      .values = observed_values(model, as_planned, window, *motion, {.numbers = &none, .values = none.mean()}),
+      .last = motion->at(prepared.run->times[window.range.last - 1])};
 }
 
 std::optional<Eigen::VectorXd> predict_bench(const Model& model, const PreparedRun& prepared,

@@ -42,8 +42,8 @@ struct LocalValues {
 
 /// A simulated window as the cameras would show it.
 struct WindowPrediction {
-  Eigen::VectorXd values{};                 ///< channel after channel, SI: (channels * samples)
-  std::vector<simulation::State> states{};  ///< the simulated motion, one state per sample
+  Eigen::VectorXd values{};  ///< channel after channel, SI: (channels * samples)
+  simulation::State last{};  ///< of the simulated motion, at the last sample
 };
 /// Simulates a window from `initial`, with clocks that agree, every edge in the middle and no hum. If `initial` has no
 /// internal states of the effects, they take the values with which a recorded run begins. Nothing if the motion cannot

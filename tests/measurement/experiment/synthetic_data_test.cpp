@@ -257,5 +257,19 @@ TEST(SyntheticData, NamesTheRunThatDoesNotFitTheRig) {
   EXPECT_EQ(refusal(run, finger_rig()), "a.csv: theta3_deg is of joint 3, and the model has 2");
 }
 
+// Before the first of them is simulated.
+TEST(SyntheticData, RefusesMoreSamplesThanItCanHold) {
+  const PlannedRun run = motion("a.csv", sine, 1200.0);  // 600,000 samples
+  const Experiment twice{.name = "x", .instruments = {}, .runs = {run, run}};
+  EXPECT_EQ(error_text([&] { (void)simulate_experiment(twice, finger_rig(), {}, 1); }),
+            "the runs must have at most 1000000 samples together; got 1200000: shorten duration_s, or lower "
+            "sampling_rate_Hz");
+  PlannedRun exposed = motion("b.csv", sine, 200.0);  // five looks at each of 100,000 samples, and ten between two
+  exposed.plan.clock.exposure = 1e-3;
+  EXPECT_EQ(error_text([&] { (void)simulate_experiment(one(exposed), finger_rig(), {}, 1); }),
+            "b.csv: must be simulated at 1000000 times at most (a sample is one; with an exposure, two clocks or an "
+            "input between samples some 10 to 15); got 1500000: shorten duration_s, or lower sampling_rate_Hz");
+}
+
 }  // namespace
 }  // namespace coilwright::measurement::experiment

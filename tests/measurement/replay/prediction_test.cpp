@@ -110,7 +110,7 @@ TEST(Prediction, ContinuesTheHeatInTheNextWindow) {
   const auto first = predict_window(model, record, record.windows[0], *start);
   ASSERT_TRUE(first);
   const auto whole = ends_of(model, data::Start::free);
-  const auto second = predict_window(model, record, record.windows[1], first->states.back());
+  const auto second = predict_window(model, record, record.windows[1], first->last);
   ASSERT_TRUE(second);
   EXPECT_NEAR(second->values[second->values.size() - 1], whole.last, 1e-4);
 }

@@ -29,7 +29,8 @@ struct TrueClock {
 /// input is a sample of it; it goes on before and after the run as far as the clocks may shift. It is off from what
 /// acted as the plan's input_uncertainty says. Rigs are changed as their plans say. Throws std::invalid_argument naming
 /// the run if it does not fit the rig (number of coils or joints, a voltage without a resistance, an effect that the
-/// rig cannot have), std::runtime_error naming it if its motion cannot be simulated.
+/// rig cannot have) or has too many samples (simulation::most_samples, as all runs together), std::runtime_error naming
+/// it if its motion cannot be simulated.
 [[nodiscard]] std::vector<data::Run> simulate_experiment(const Experiment& experiment, const replay::DeclaredModel& rig,
                                                          std::span<const actuator::Effect> hidden, std::uint64_t seed);
 

@@ -33,11 +33,12 @@ std::vector<std::string> read_calibrate(ObjectReader& in) {
   const auto node = in.find("calibrate");
   if (!node) return {"joint_stiffness", "joint_damping"};
   std::vector<std::string> names;
+  std::set<std::string_view> met;
   for (const Node& element : node->elements()) {
     const std::string& name = element.text();
     if (name != "joint_stiffness" && name != "joint_damping" && !name.starts_with('/'))
       throw element.error(R"(must be "joint_stiffness", "joint_damping" or a JSON pointer into the actuator file)");
-    if (std::ranges::count(names, name) > 0) throw element.error("must not be there twice");
+    if (!met.insert(name).second) throw element.error("must not be there twice");
     names.push_back(name);
   }
   return names;

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "coilwright/units/unit.hpp"
 
@@ -90,10 +90,11 @@ void read_ignore(const Node& node, LayoutEntry& out) {
   if (out.layout.ignore_others) return;
   if (node.kind() != Node::Kind::array)
     throw node.error(R"(must be "others", or an array of names and positions such as ["frame", "#1"])");
+  std::set<std::string_view> met;
   for (const Node& element : node.elements()) {
     if (element.kind() == Node::Kind::number)
       throw element.error(R"(must be a column's name, or its position as a text: "#1" is the first)");
-    if (std::ranges::count(out.layout.ignore, element.text()) > 0) throw element.error("must not be there twice");
+    if (!met.insert(element.text()).second) throw element.error("must not be there twice");
     out.layout.ignore.push_back(element.text());
     out.named.emplace_back(element.text(), element);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -97,7 +98,7 @@ class Planner {
  public:
   Planner(std::span<const std::string> calibrated, const Tolerances& said, Differing model)
       : said_(said), model_(std::move(model)) {
-    for (const std::string& name : calibrated) plan_.numbers.push_back({.name = name, .by = MovedBy::calibrate});
+    for (const std::string& name : calibrated) add({.name = name, .by = MovedBy::calibrate});
   }
 
   TolerancePlan plan(const std::vector<DefaultTolerance>& defaults, const std::vector<std::string>& exact) && {
@@ -117,20 +118,24 @@ class Planner {
   }
 
  private:
+  void add(PlannedNumber number) {
+    places_.emplace(number.name, plan_.numbers.size());
+    plan_.numbers.push_back(std::move(number));
+  }
+
   void take(const NamedTolerance& named, std::vector<PlannedNumber>& differ) {
-    const auto same = std::ranges::find(plan_.numbers, named.name, &PlannedNumber::name);
-    if (same != plan_.numbers.end()) {
+    if (const auto same = places_.find(named.name); same != places_.end()) {
       if (named.deviation == 0.0)
         throw ToleranceFault(named.name, "must be > 0, because the number is calibrated", "0");
-      same->deviation = named.deviation;
+      plan_.numbers[same->second].deviation = named.deviation;
       return;
     }
     if (in_file(named.name)) {
       // One that is exact is looked up all the same, and then left alone.
-      plan_.numbers.push_back({.name = named.name,
-                               .by = MovedBy::tolerances,
-                               .deviation = named.deviation,
-                               .effect = effect_of(named.name)});
+      add({.name = named.name,
+           .by = MovedBy::tolerances,
+           .deviation = named.deviation,
+           .effect = effect_of(named.name)});
     } else {
       std::vector<PlannedNumber> numbers = differences(named.name, named.deviation, model_);
       if (numbers.empty()) throw cannot_differ(named.name);
@@ -144,13 +149,11 @@ class Planner {
 
   void take(const DefaultTolerance& each, std::vector<PlannedNumber>& differ) {
     const auto names_it = [&](const std::string& name) {
-      return std::ranges::count(plan_.numbers, name, &PlannedNumber::name) > 0 ||
-             std::ranges::count(said_.named, name, &NamedTolerance::name) > 0;
+      return places_.contains(name) || std::ranges::count(said_.named, name, &NamedTolerance::name) > 0;
     };
     if (names_it(each.name) || std::ranges::any_of(each.instead_of, names_it)) return;
     if (in_file(each.name)) {
-      plan_.numbers.push_back(
-          {.name = each.name, .by = MovedBy::defaults, .share = each.deviation, .effect = effect_of(each.name)});
+      add({.name = each.name, .by = MovedBy::defaults, .share = each.deviation, .effect = effect_of(each.name)});
       return;
     }
     for (PlannedNumber& number : differences(each.name, each.deviation, model_)) {
@@ -171,6 +174,7 @@ class Planner {
   const Tolerances& said_;
   Differing model_;
   TolerancePlan plan_;
+  std::map<std::string, std::size_t> places_;  // of names in the plan's numbers
 };
 
 // Where the shape of a curve is told: of a table where it was measured, otherwise where a finger works.

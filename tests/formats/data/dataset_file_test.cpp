@@ -128,6 +128,14 @@ TEST_F(DatasetFiles, RefuseWordsThatDoNotExist) {
             R"(actuator file; got text "stiffness")");
 }
 
+TEST_F(DatasetFiles, FindTheOneThatIsTwiceAmongAHundredThousandNames) {
+  std::string names;
+  for (int i = 0; i < 100'000; ++i) names += fmt::format(R"("/x/{}", )", i);
+  for (const char* key : {"calibrate", "ignore"})
+    EXPECT_EQ(refusal(fmt::format(R"({{"format": "measured-data/1", "{}": [{}"/x/7"], "runs": []}})", key, names)),
+              fmt::format(R"(dataset.json: /{}/100000: must not be there twice; got text "/x/7")", key));
+}
+
 TEST_F(DatasetFiles, RefuseMissingKeys) {
   EXPECT_EQ(runs_refusal(R"({"kind": "transient", "role": "fit", "drive": "current"})"),
             "dataset.json: /runs/0/file: is missing");

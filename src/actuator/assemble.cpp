@@ -137,7 +137,6 @@ Assembly assemble_fitting(const Design& design) {
   const mechanics::PlanarChain chain = chain_of(design, parts);
   PairCurves curves(design, size);
   MagneticStage magnetics = magnetics_of(design, size, curves);
-  const double sense = magnetics.hinge_pairs().front().sense;
   const CoilElectrics electrics = electrics_of(design, coil);
   Model model(as_built({.chain = chain,
                         .hinges = hinges_of(design, size, chain),
@@ -149,6 +148,7 @@ Assembly assemble_fitting(const Design& design) {
                         .coil_resistance = electrics.resistance,
                         .current_shares = shares_of(design)},
                        design.as_built));
+  const double sense = model.magnetics().hinge_pairs().front().sense;
   return {.model = std::move(model),
           .dimensions = size,
           .segments = std::move(parts),

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -18,6 +19,18 @@ void spread(std::vector<Hinge>& hinges, double Hinge::*member, double ratio, con
   if (!(ratio >= -2.0 && ratio <= 2.0))
     throw std::invalid_argument(fmt::format("{} must be from -2 to 2; got {}", name, ratio));
   for (std::size_t j = 0; j < hinges.size(); ++j) hinges[j].*member *= 1.0 + (j % 2 == 0 ? -0.5 : 0.5) * ratio;
+}
+
+void require_one_each(const std::vector<double>& factors, std::size_t parts, const char* name) {
+  if (factors.size() != parts)
+    throw std::invalid_argument(fmt::format("{}: one each, {} here; got {}", name, parts, factors.size()));
+}
+
+// Each has a coil beside it.
+std::size_t magnets_of(const MagneticStage& magnetics) {
+  int last = -1;
+  for (const HingePair& pair : magnetics.hinge_pairs()) last = std::max(last, pair.magnet);
+  return static_cast<std::size_t>(last + 1);
 }
 
 // Pairs that are alike share one curve, and share it still.
@@ -44,6 +57,14 @@ ModelSpec as_built(ModelSpec spec, const AsBuilt& differences) {
     spread(spec.hinges, &Hinge::stiffness, differences.joint_stiffness_ratio, "joint_stiffness_ratio");
   if (differences.joint_damping_ratio != 0.0)
     spread(spec.hinges, &Hinge::damping, differences.joint_damping_ratio, "joint_damping_ratio");
+  if (const std::vector<double>& factors = differences.joint_stiffness_factors; !factors.empty()) {
+    require_one_each(factors, spec.hinges.size(), "joint_stiffness_factors");
+    for (std::size_t j = 0; j < factors.size(); ++j) spec.hinges[j].stiffness *= factors[j];
+  }
+  if (const std::vector<double>& factors = differences.remanence_factors; !factors.empty()) {
+    require_one_each(factors, magnets_of(spec.magnetics), "remanence_factors");
+    spec.magnetics = spec.magnetics.with_magnet_strengths(factors);
+  }
   if (differences.face_closing_shift != 0.0)
     for (Hinge& hinge : spec.hinges) hinge.contact.closing_angle += differences.face_closing_shift;
   if (differences.force_curve && !differences.force_curve->none())

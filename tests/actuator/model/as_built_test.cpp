@@ -92,6 +92,71 @@ TEST(AsBuilt, KeepsItsErrorWhereTheForceBecomesExact) {
               2e-6 * exact_pair.torque_per_ampere->scale());
 }
 
+// In turn, as the ratio has them, and all alike, as the design has them, are two special cases.
+TEST(AsBuilt, ChangesEachJointByItself) {
+  Design design = finger_of(magnetics::Fidelity::line_of_centres);
+  design.as_built.joint_stiffness_ratio = 0.08;
+  const Assembly in_turn = assemble_or_throw(design);
+  design.as_built = {.joint_stiffness_factors = {0.96, 1.04}};
+  const Assembly one_by_one = assemble_or_throw(design);
+  for (std::size_t j = 0; j < 2; ++j) {
+    EXPECT_DOUBLE_EQ(one_by_one.model.hinges()[j].stiffness, in_turn.model.hinges()[j].stiffness);
+    EXPECT_EQ(one_by_one.model.hinges()[j].damping, in_turn.model.hinges()[j].damping);
+  }
+  design.as_built = {.joint_stiffness_factors = {0.9, 0.9}};
+  const Assembly alike = assemble_or_throw(design);
+  design.as_built = {};
+  const Assembly drawn = assemble_or_throw(design);
+  design.calibration.joint_stiffness *= 0.9;
+  const Assembly softer = assemble_or_throw(design);
+  for (std::size_t j = 0; j < 2; ++j) {
+    EXPECT_DOUBLE_EQ(alike.model.hinges()[j].stiffness, softer.model.hinges()[j].stiffness);
+    EXPECT_EQ(alike.model.hinges()[j].damping, drawn.model.hinges()[j].damping);
+  }
+}
+
+// Both magnets alike make the torques of magnets with that remanence; one alone changes the joints beside it, and what
+// it does further away.
+TEST(AsBuilt, ChangesEachMagnetByItself) {
+  Design design = finger_of(magnetics::Fidelity::line_of_centres);
+  design.layout = layout_of(Configuration::C);
+  const Assembly drawn = assemble_or_throw(design);
+  const mechanics::JointVector angles{{0.3, 0.1, 0.45, 0.2}};
+  const auto torques = [&](const Assembly& assembly) {
+    return assembly.model.magnetic_torques(angles, assembly.model.all_coils(0.9));
+  };
+  Design weaker = design;
+  weaker.magnet.remanence *= 0.9;
+  const Assembly rebuilt = assemble_or_throw(weaker);
+  design.as_built.remanence_factors = {0.9, 0.9};
+  const Assembly alike = assemble_or_throw(design);
+  EXPECT_LT((torques(alike) - torques(rebuilt)).norm(), 1e-12 * torques(rebuilt).norm());
+  EXPECT_NEAR(alike.rest_force_per_ampere, rebuilt.rest_force_per_ampere,
+              1e-12 * std::abs(rebuilt.rest_force_per_ampere));
+  design.as_built.remanence_factors = {0.9, 1.0};
+  const Assembly first = assemble_or_throw(design);
+  for (const HingePair& pair : first.model.magnetics().hinge_pairs())
+    EXPECT_EQ(pair.sense, pair.joint < 2 ? 0.9 : 1.0) << pair.joint;
+  design.as_built.remanence_factors = {1.0, 0.9};
+  const Assembly second = assemble_or_throw(design);
+  EXPECT_EQ(second.rest_force_per_ampere, drawn.rest_force_per_ampere);
+  // Torques are linear in each magnet by itself.
+  const mechanics::JointVector both = torques(first) + torques(second) - torques(drawn);
+  const mechanics::JointVector pull = drawn.model.magnetic_torques(angles, drawn.model.all_coils(0.0));
+  EXPECT_LT((both + 0.01 * pull - torques(alike)).norm(), 1e-12 * torques(alike).norm());
+}
+
+TEST(AsBuilt, RefusesFactorsOfOtherParts) {
+  Design design = finger_of(magnetics::Fidelity::line_of_centres);
+  design.as_built.joint_stiffness_factors = {1.0};
+  EXPECT_NE(
+      error_text([&] { (void)assemble_or_throw(design); }).find("joint_stiffness_factors: one each, 2 here; got 1"),
+      std::string::npos);
+  design.as_built = {.remanence_factors = {1.0, 1.0}};
+  EXPECT_NE(error_text([&] { (void)assemble_or_throw(design); }).find("remanence_factors: one each, 1 here; got 2"),
+            std::string::npos);
+}
+
 TEST(AsBuilt, RefusesJointsWithLessThanNothing) {
   Design design = finger_of(magnetics::Fidelity::line_of_centres);
   design.as_built.joint_stiffness_ratio = 2.1;

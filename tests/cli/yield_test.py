@@ -43,6 +43,12 @@ class Spread(ProgramTest):
             ({"parts": "usual", "correlations": [{"of": ["gap_mm", "magnet_length_mm", "magnet_radius_mm"], "value": -0.8}]},
              "/spread/correlations/0/value: must be at least -0.5: 3 numbers cannot all go against each other; got -0.8"),
             ({"parts": "usual", "correlations": [{"of": ["gap_mm"], "value": 0.5}]}, "/spread/correlations/0/of: must have at least 2 elements; got an array of 1"),
+            ({"each_joint_stiffness_factor": {"sd": 0.5}}, "/spread/each_joint_stiffness_factor: would make each_joint_stiffness_factor "
+             "-0.824 in one of 10,000 builds of the study's own actuator (1): give less, or a relative_sd"),
+            ({"parts": "usual", "correlations": [{"of": ["gap_mm", "each_remanence_factor"], "value": 0.5}]},
+             '/spread/correlations/0/of/1: must be a number that scatters in this spread; got text "each_remanence_factor"'),
+            ({"parts": "usual", "each_remanence_factor": {"relative_sd": 0.01}, "correlations": [{"of": ["gap_mm", "each_remanence_factor"], "value": 0.5}]},
+             '/spread/correlations/0/of/1: must be one number: each part draws its own of this; got text "each_remanence_factor"'),
             ({"assumptions": {"as_designed": 1}}, "/spread/assumptions/as_designed: must be > 0 and < 1; got 1"),
             ({"posterior": "finger.json"}, '/spread/posterior: must name the diagnosis.json of a diagnosis; got text "finger.json"'),
             ({"posterior": "old.json"}, '/spread/posterior: must be of a diagnosis that states its numbers together: this one is of an '
@@ -205,6 +211,15 @@ class Yield(ProgramTest):
         text = run("yield", "study.json", "finger.json", "--builds", "50", "--worth", "64", "--quiet", cwd=self.folder).stdout
         self.assertIn("builds by fresh dice keep every limit", text)
         self.assertIn("If one of them scattered half as far, every limit would be kept by", text)
+
+    def test_each_joint_draws_its_own(self):
+        # Without a current one magnet has nothing to pull at: rest angles vary with the joints alone.
+        write_study(self, spread={"each_joint_stiffness_factor": {"relative_sd": 0.1}, "each_remanence_factor": {"relative_sd": 0.01}},
+                    operating_point={"current_A": 1.2}, constraints=[{"quantity": f"rest_joint{i}_angle_deg", "at_most": 90} for i in (1, 2)])
+        answer = self.answer("--builds", "100", "--worth", "16")
+        self.assertEqual([each["scatter"] for each in answer["scatters"]], ["each_joint_stiffness_factor", "each_remanence_factor"])
+        for row in answer["quantities"]:
+            self.assertGreater(row["p95"], row["p05"], row)
 
     def test_refuses_what_it_cannot_build(self):
         write_study(self)

@@ -35,7 +35,8 @@ constexpr std::array choices = {
            "factor of 2.2.\n"
            "Measure joint_stiffness_Nmm_rad where it matters."},
     Choice{"spreads", spread_listing,
-           "Standard deviations of one build about its design: what \"parts\": \"usual\" of a study's spread takes."},
+           "Standard deviations of one build about its design: what \"parts\": \"usual\" of a study's spread takes; "
+           "each_..: of one joint or magnet, drawn where the spread names it."},
 };
 
 std::vector<std::string> words() {

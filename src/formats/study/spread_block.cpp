@@ -53,7 +53,7 @@ Scatter read_scatter(const Node& node, const std::string& name) {
 }
 
 [[noreturn]] void refuse_name(const Node& node, const std::string& name, const std::vector<BlockVariable>& of_blocks) {
-  std::vector<std::string> names = sizing::operating_number_names();
+  std::vector<std::string> names = sizing::further_number_names();
   names.insert(names.end(), std::begin(keys_of_spread), std::end(keys_of_spread));
   for (const BlockVariable& known : of_blocks) names.push_back(known.name);
   for (const actuator::Parameter& known : actuator::parameters())
@@ -77,11 +77,13 @@ void read_scatter_into(Spread& spread, const Node& node, const std::string& name
     return add(spread, std::move(scatter));
   }
   const actuator::Parameter* parameter = actuator::find_parameter(name);
-  const std::vector<std::string> operating = sizing::operating_number_names();
+  const std::vector<std::string> further = sizing::further_number_names();
   const bool of_an_effect = name.find('.') != std::string::npos;
-  if (!of_an_effect && std::ranges::count(operating, name) == 0 && (parameter == nullptr || parameter->whole))
+  if (!of_an_effect && std::ranges::count(further, name) == 0 && (parameter == nullptr || parameter->whole))
     refuse_name(node, name, of_blocks);
-  add(spread, std::move(scatter));
+  const std::size_t parts = sizing::most_parts(name);
+  if (parts == 0) return add(spread, std::move(scatter));
+  for (; scatter.part < parts; ++scatter.part) spread.scatters.push_back(scatter);
 }
 
 // {"of": ["gap_mm", "bottom_layer_mm"], "value": 0.8}: each with each other.
@@ -91,6 +93,7 @@ void read_correlation_into(Spread& spread, const Node& node, std::set<std::size_
   for (const Node& name : in.elements("of", Length::at_least(2))) {
     const auto found = std::ranges::find(spread.scatters, name.text(), &Scatter::name);
     if (found == spread.scatters.end()) throw name.error("must be a number that scatters in this spread");
+    if (sizing::most_parts(name.text()) > 0) throw name.error("must be one number: each part draws its own of this");
     const auto index = static_cast<std::size_t>(found - spread.scatters.begin());
     if (!taken.insert(index).second) throw name.error("must not be correlated twice");
     group.scatters.push_back(index);
@@ -161,6 +164,7 @@ std::optional<BaseNumber> number_of(actuator::Design base, const std::vector<Blo
   if (const actuator::Parameter* parameter = actuator::find_parameter(name))
     return BaseNumber{.value = units::from_memory(parameter->get(base), parameter->key),
                       .above = parameter->rule == actuator::ParameterRule::any ? std::nullopt : std::optional(0.0)};
+  if (sizing::most_parts(name) > 0) return BaseNumber{.value = 1.0, .above = 0.0};
   if (const actuator::EffectNumber number = actuator::find_effect_number(base, name); number.value != nullptr)
     return BaseNumber{.value = units::from_memory(*number.value, number.parameter->key),
                       .at_least = units::from_memory(number.parameter->lower, number.parameter->key)};
@@ -181,7 +185,8 @@ Spread read_spread(const Node& node, const std::vector<BlockVariable>& of_blocks
   node.expect_object();
   if (const auto parts = node.find("parts")) {
     if (parts->text() != "usual") throw parts->error("must be \"usual\" (coilwright list spreads)");
-    for (const sizing::UsualScatter& usual : sizing::usual_scatters()) add(spread, usual.scatter);
+    for (const sizing::UsualScatter& usual : sizing::usual_scatters())
+      if (sizing::most_parts(usual.scatter.name) == 0) add(spread, usual.scatter);
   }
   if (const auto draws = node.find("draws"))
     spread.draws = static_cast<std::size_t>(draws->integer<int>(Rule::between(fewest_draws, most_draws)));

@@ -17,6 +17,7 @@
 #include "coilwright/actuator/design/value_limits.hpp"
 #include "coilwright/actuator/modelling_choices.hpp"
 #include "coilwright/algebra/spectral.hpp"
+#include "coilwright/mechanics/joint_vector.hpp"
 #include "coilwright/units/unit.hpp"
 #include "sizing/study/evaluate_design.hpp"
 
@@ -90,6 +91,32 @@ constexpr std::array operating_numbers{
 const OperatingNumber* find_operating_number(std::string_view name) {
   const auto found = std::ranges::find(operating_numbers, name, &OperatingNumber::name);
   return found == operating_numbers.end() ? nullptr : &*found;
+}
+
+// A factor that each joint or magnet of a build draws for itself.
+struct PartNumber {
+  std::string_view name;
+  std::vector<double> actuator::AsBuilt::*factors;
+  std::size_t most;
+  std::size_t (*count)(const actuator::Layout&);
+};
+
+constexpr std::array part_numbers{
+    PartNumber{.name = "each_joint_stiffness_factor",
+               .factors = &actuator::AsBuilt::joint_stiffness_factors,
+               .most = mechanics::max_joints,
+               .count = [](const actuator::Layout& layout) { return layout.size() - 1; }},
+    PartNumber{
+        .name = "each_remanence_factor",
+        .factors = &actuator::AsBuilt::remanence_factors,
+        .most = mechanics::max_joints / 2 + 1,  // no two are neighbours
+        .count =
+            [](const actuator::Layout& layout) { return static_cast<std::size_t>(actuator::magnet_count(layout)); }},
+};
+
+const PartNumber* find_part_number(std::string_view name) {
+  const auto found = std::ranges::find(part_numbers, name, &PartNumber::name);
+  return found == part_numbers.end() ? nullptr : &*found;
 }
 
 // The design by another modelling choice, where the share falls on one.
@@ -166,10 +193,16 @@ std::string meaning_of(const Statistic& statistic, std::size_t draws) {
 
 }  // namespace
 
-std::vector<std::string> operating_number_names() {
+std::vector<std::string> further_number_names() {
   std::vector<std::string> out;
   for (const OperatingNumber& number : operating_numbers) out.emplace_back(number.name);
+  for (const PartNumber& number : part_numbers) out.emplace_back(number.name);
   return out;
+}
+
+std::size_t most_parts(std::string_view name) {
+  const PartNumber* number = find_part_number(name);
+  return number == nullptr ? 0 : number->most;
 }
 
 Eigen::MatrixXd correlation_root(const Eigen::MatrixXd& correlation) {
@@ -226,6 +259,11 @@ DesignResult built(const Spread& spread, const simulation::DesignView& design, s
     if (std::holds_alternative<OtherChoices>(scatter.about)) continue;
     if (const OperatingNumber* number = find_operating_number(scatter.name)) {
       number->set(point, displaced(number->get(point), scatter, shares[i]));
+    } else if (const PartNumber* of_part = find_part_number(scatter.name)) {
+      std::vector<double>& factors = other.as_built.*of_part->factors;
+      factors.resize(of_part->count(other.layout), 1.0);
+      if (scatter.part < factors.size())
+        factors[scatter.part] = std::max(0.0, displaced(factors[scatter.part], scatter, shares[i]));
     } else if (const actuator::Parameter* parameter = actuator::find_parameter(scatter.name)) {
       const double value = units::from_memory(parameter->get(other), parameter->key);
       parameter->set(other, kept_in_range(units::to_memory(displaced(value, scatter, shares[i]), parameter->key),

@@ -29,6 +29,10 @@ std::span<const UsualScatter> usual_scatters() {
                "IEC 60317-0-1: resistance of wires of 0.2 to 0.5 mm within +-3 to 5 %"),
       relative("radial_pitch_factor", 0.02, "winding by hand, assumed"),
       relative("heat_transfer_factor", 0.15, "calibrated on one remark; changes by 25 % with the rise"),
+      relative(
+          "each_joint_stiffness_factor", 0.035,
+          "two hinges of a cast apart by 5 %, as a diagnosis takes them: each 2 % in height, cut by hand, assumed"),
+      relative("each_remanence_factor", 0.0075, "magnets of one lot: half of what a grade has, assumed"),
   };
   return rows;
 }

@@ -200,7 +200,7 @@ std::optional<SaltelliValues> complete(const std::vector<Values>& designs, std::
   return out;
 }
 
-// What is drawn independently of all else: scatters that move together, or one by itself.
+// What is drawn independently of all else: scatters that move together, those of like parts, or one by itself.
 struct Input {
   std::string name;
   std::vector<std::size_t> scatters;
@@ -213,8 +213,14 @@ std::vector<Input> inputs_of(const Spread& spread) {
     out.push_back({.name = group.name, .scatters = group.scatters});
     for (const std::size_t index : group.scatters) together[index] = true;
   }
-  for (std::size_t i = 0; i < spread.scatters.size(); ++i)
-    if (!together[i]) out.push_back({.name = spread.scatters[i].name, .scatters = {i}});
+  for (std::size_t i = 0; i < spread.scatters.size(); ++i) {
+    if (together[i]) continue;
+    const auto like = std::ranges::find(out, spread.scatters[i].name, &Input::name);
+    if (like == out.end())
+      out.push_back({.name = spread.scatters[i].name, .scatters = {i}});
+    else
+      like->scatters.push_back(i);
+  }
   return out;
 }
 

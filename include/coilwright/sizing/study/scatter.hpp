@@ -53,7 +53,7 @@ struct OtherChoices {
 
 /// How one number of what is built lies about what was designed.
 struct Scatter {
-  /// Of a parameter of designs, of an effect's number ("dry_friction.torque_Nmm"), of operating_number_names(), or of a
+  /// Of a parameter of designs, of an effect's number ("dry_friction.torque_Nmm"), of further_number_names(), or of a
   /// block of the study.
   std::string name;
   std::variant<NormalDeviation, UniformDeviation, OtherChoices> about;  ///< in the unit of the name, or relative
@@ -62,6 +62,8 @@ struct Scatter {
   std::optional<double> block_value{};
   /// Of a number that was measured, what it was found to be, in the unit of the name; nothing for others.
   std::optional<double> measured{};
+  /// Of a number with most_parts(): which joint or magnet, from the base. A design without it passes it over.
+  std::size_t part = 0;
 
   /// The deviation below which a share of all lies, 0 < share < 1; relative, or in the unit of the name. Precondition:
   /// not OtherChoices.

@@ -15,8 +15,13 @@
 
 namespace coilwright::sizing {
 
-/// What of an operating point may scatter: "current_A", "grasp_opening_deg".
-[[nodiscard]] std::vector<std::string> operating_number_names();
+/// What may scatter beside numbers of designs, of effects and of blocks: "current_A" and "grasp_opening_deg" of an
+/// operating point, "each_joint_stiffness_factor" and "each_remanence_factor" of each joint and magnet by itself.
+[[nodiscard]] std::vector<std::string> further_number_names();
+
+/// How many joints or magnets at most have a number of that name each by itself, a Scatter each, about what the design
+/// gives all alike; 0 for a number of the whole.
+[[nodiscard]] std::size_t most_parts(std::string_view name);
 
 /// Places in the unit cube, `count` of `dimension` numbers > 0 and < 1 each: Sobol's sequence (Boost.Random, directions
 /// of Joe and Kuo), moved by a random vector of `seed` modulo 1. The mean over them of a smooth function errs by about

@@ -13,7 +13,8 @@ struct UsualScatter {
   std::string_view source;  ///< where the figure is from, or that it is assumed
 };
 
-/// One row a number. `"parts": "usual"` of a study's spread takes them all, `coilwright list spreads` prints them.
+/// One row a number; `coilwright list spreads` prints them. `"parts": "usual"` of a study's spread takes those of the
+/// whole actuator: what each joint or magnet has by itself, most_parts(), has to be named.
 [[nodiscard]] std::span<const UsualScatter> usual_scatters();
 
 }  // namespace coilwright::sizing

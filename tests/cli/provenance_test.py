@@ -137,12 +137,20 @@ class SetOfAStudy(ProgramTest):
                 ("/actuator=other.json",
                  "/actuator=other.json: must not be changed: a study of another actuator is another file"),
                 ("/constraints/0/at_most=x", "/constraints/0/at_most=x: must be a finite number"),
+                ("duty=0.4", "duty=0.4: is not a number of a design but of the study's file: --set /operating_point/duty=VALUE"),
+                ("driver_voltage_V=8", 'driver_voltage_V=8: must be of a block that the study has: it has no "driver"; '
+                 "write that block into it (coilwright schema study)"),
                 ("front_length_mm=0", "front_length_mm=0: must be from 0.05 to 1000")):
             with self.subTest(argument):
                 self.assert_refused(["size", "study.json", "--out", "out", "--set", argument], message)
         self.assert_refused(["size", "study.json", "--out", "out", "--set", "front_length_mm=9", "--set",
                              "front_length_mm=8"],
                             "front_length_mm=8: must not be there twice: front_length_mm=9 sets it too")
+
+    def test_a_number_of_a_block_is_set_by_its_pointer(self):
+        write_study(self, driver={"kind": "h_bridge", "voltage_V": 24})
+        self.assert_refused(["size", "study.json", "--out", "out", "--set", "driver_voltage_V=8"],
+                            "driver_voltage_V=8: is not a number of a design but of the study's file: --set /driver/voltage_V=VALUE")
 
     def test_the_study_s_own_actuator_keeps_the_limits_where_a_current_does(self):
         # Faster with every ampere, and half of the 1.4 A that its wire of AWG 28 bears is all that this study allows.

@@ -234,7 +234,8 @@ class Yield(ProgramTest):
                             "--current-A: must not be given: the study itself says which current flows; "
                             "--set /operating_point/share_of_current_limit=VALUE changes it")
         self.assert_refused(["yield", "study.json", "finger.json", "--set", "driver_voltage_V=8"],
-                            '/driver/voltage_V=8: must be of a block that the study has: it has no "driver"')
+                            '/driver/voltage_V=8: must be of a block that the study has: it has no "driver"; write that block into it '
+                            "(coilwright schema study)")
         write_study(self, **SPREAD, operating_point=None, variables={"current_A": {"lower": 0.5, "upper": 1}})
         result = run("yield", "study.json", "finger.json", "--current-A", "0.7", "--builds", "10", "--set", "gap_mm=1", "--json",
                      cwd=self.folder)

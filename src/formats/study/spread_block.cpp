@@ -53,6 +53,7 @@ Scatter read_scatter(const Node& node, const std::string& name) {
 }
 
 [[noreturn]] void refuse_name(const Node& node, const std::string& name, const std::vector<BlockVariable>& of_blocks) {
+  if (const auto rule = missing_block(name, of_blocks)) throw node.error_without_value(*rule);
   std::vector<std::string> names = sizing::further_number_names();
   names.insert(names.end(), std::begin(keys_of_spread), std::end(keys_of_spread));
   for (const BlockVariable& known : of_blocks) names.push_back(known.name);

@@ -52,6 +52,13 @@ std::optional<std::string> block_pointer(std::string_view name) {
   return fmt::format("/{}/{}", key, name.substr(key.size() + 1));
 }
 
+std::optional<std::string> missing_block(std::string_view name, const std::vector<BlockVariable>& known) {
+  const std::string_view key = name.substr(0, name.find('_'));
+  const auto of_block = [&](const BlockVariable& each) { return each.name.starts_with(variable_name(key, "")); };
+  if (!block_pointer(name) || std::ranges::any_of(known, of_block)) return std::nullopt;
+  return fmt::format("needs the block \"{}\" in the study", key);
+}
+
 std::vector<BlockVariable> variables_of(const Blocks& blocks) {
   std::vector<BlockVariable> out;
   for (const auto& [key, block] : blocks) out.insert(out.end(), block.variables.begin(), block.variables.end());

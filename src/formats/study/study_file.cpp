@@ -179,7 +179,7 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     study.quantities = wanted.listed;
     if (!operation || !operation->find("cases")) study.operating.cases = poses_of_use(study);
     if (const auto search = in.find("search")) study.search = read_search(*search);
-    study.base = changed(read_base(in.at("actuator"), effects, texts.actuator), study, changes);
+    study.base = changed(read_base(in.at("actuator"), effects, texts.actuator), study, in.node(), changes);
     if (study.spread) require_suits(*in.find("spread"), *study.spread, study.base, variables_of(blocks));
     for (StudyVariable& variable : study.variables)
       if (name_of(variable) == "polarity")

@@ -29,6 +29,10 @@ using Blocks = std::map<std::string, SystemBlock>;
 /// Whether a key of a study is that of a block.
 [[nodiscard]] bool is_block(std::string_view key);
 
+/// Where a name is of a block that a study lacks ("driver_voltage_V"; `known` are the numbers of those that it has) the
+/// rule that says so, `needs the block "driver" in the study`; nothing for any other name.
+[[nodiscard]] std::optional<std::string> missing_block(std::string_view name, const std::vector<BlockVariable>& known);
+
 /// The key of the block that brings the quantity of that name; nothing where none does.
 [[nodiscard]] std::optional<std::string_view> block_of_quantity(std::string_view name);
 
@@ -80,9 +84,10 @@ void require_suits(const text::Node& node, const sizing::Spread& spread, const a
 /// the kind that stands there, or leads to nothing.
 [[nodiscard]] text::Document changed(text::Document document, const StudyChanges& changes);
 
-/// The study's actuator with the other changes. Throws InputError where one sets what the study varies, which the
-/// search would set again, and as with_assignment().
-[[nodiscard]] actuator::Design changed(actuator::Design design, const sizing::Study& study,
+/// The study's actuator with the other changes; `root` is the study. Throws InputError where one sets what the study
+/// varies, which the search would set again, or what stands in the study's own file, with its pointer, and as
+/// with_assignment().
+[[nodiscard]] actuator::Design changed(actuator::Design design, const sizing::Study& study, const text::Node& root,
                                        const StudyChanges& changes);
 
 }  // namespace coilwright::formats

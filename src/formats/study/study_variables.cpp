@@ -123,6 +123,7 @@ StudyVariable read_variable(const Node& node, const std::string& name, const std
     });
   const actuator::Parameter* parameter = actuator::find_parameter(name);
   if (parameter == nullptr) {
+    if (const auto rule = missing_block(name, of_blocks)) throw node.error_without_value(*rule);
     std::vector<std::string> names(layout_names.begin(), layout_names.end());
     names.emplace_back("current_A");
     for (const BlockVariable& known : of_blocks) names.push_back(known.name);

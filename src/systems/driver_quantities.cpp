@@ -50,32 +50,39 @@ Try<DriverAnswer> answer_of(const Task& task, const DesignView& design) {
   const bool only_gripping = design.point.cases == actuator::HeldCases::gripping;
   const simulation::Heat& heat = only_gripping ? design.performance.gripping.heat : design.performance.free.heat;
   const auto& nodes = heat.temperatures;
-  if (nodes.size() == 0)
-    return NoValue{.reason = fmt::format("the driver cannot hold the current, at which the coils have no steady "
-                                         "temperature: lower current_A or duty; got {:.4g} A",
-                                         wanted),
-                   .infeasibility = wanted * std::sqrt(design.point.duty) / heat.runaway_current};
-  const std::vector<int> places = actuator::coil_places(design.design.layout);
-  Eigen::VectorXd warm(static_cast<Eigen::Index>(places.size()));
-  for (Eigen::Index i = 0; i < warm.size(); ++i) warm[i] = nodes[places[static_cast<std::size_t>(i)]];
   const drive::Driver driver = driver_of_task(task);
   const auto at_full = [&](const drive::ReducedBank& bank) {
     return bank.shares.maxCoeff() *
            steady_current(bank.circuit, driver, {.frequency = task.frequency, .duty = 1.0}).mean;
   };
+  const auto cannot_give = [&](double most, std::string_view when) {
+    return NoValue{
+        .reason = fmt::format("the driver cannot give the current: raise driver.voltage_V or lower current_A; "
+                              "got {:.4g} A in a coil at most, {}, of {:.4g} A",
+                              most, when, wanted),
+        .infeasibility = wanted / most - 1.0};
+  };
+  const drive::ReducedBank cold_bank = bank_at(design, Eigen::VectorXd::Constant(design.assembly.coils, 20.0));
+  if (nodes.size() == 0) {
+    // What it cannot give does not heat the coils either.
+    if (const double most = at_full(cold_bank); wanted > most) return cannot_give(most, "even at 20 degC");
+    return NoValue{.reason = fmt::format("the driver cannot hold the current, at which the coils have no steady "
+                                         "temperature: lower current_A or duty; got {:.4g} A",
+                                         wanted),
+                   .infeasibility = wanted * std::sqrt(design.point.duty) / heat.runaway_current};
+  }
+  const std::vector<int> places = actuator::coil_places(design.design.layout);
+  Eigen::VectorXd warm(static_cast<Eigen::Index>(places.size()));
+  for (Eigen::Index i = 0; i < warm.size(); ++i) warm[i] = nodes[places[static_cast<std::size_t>(i)]];
   const drive::ReducedBank warm_bank = bank_at(design, warm);
   DriverAnswer out{.most_current = at_full(warm_bank)};
   if (wanted == 0.0) return out;
-  if (wanted > out.most_current)
-    return NoValue{.reason = fmt::format("the driver cannot give the current: raise driver.voltage_V or lower "
-                                         "current_A; got {:.4g} A in a coil at most, warm, of {:.4g} A",
-                                         out.most_current, wanted),
-                   .infeasibility = wanted / out.most_current - 1.0};
+  if (wanted > out.most_current) return cannot_give(out.most_current, "warm");
   const auto setting = [&](const drive::ReducedBank& bank) {
     return duty_for_mean(bank.circuit, driver, task.frequency, wanted / bank.shares.maxCoeff());
   };
   out.duty = setting(warm_bank).value.value_or(1.0);
-  out.cold = setting(bank_at(design, Eigen::VectorXd::Constant(warm.size(), 20.0))).current;
+  out.cold = setting(cold_bank).current;
   out.peak_over_limit = out.cold.peak / task.most_current;
   return out;
 }

@@ -1,6 +1,6 @@
 #include "coilwright/systems/driver_quantities.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 
@@ -79,6 +79,13 @@ TEST_F(DriverQuantities, SayThatTheCoilsRunAway) {
   EXPECT_EQ(why.reason.find("the driver cannot hold the current, at which the coils have no steady temperature"), 0u)
       << why.reason;
   EXPECT_GT(why.infeasibility, 1.0);
+  // Unless the driver gives no such current even to cold coils.
+  DriverTask weak = bridge();
+  weak.voltage = 0.05;
+  const simulation::QuantityTable of_weak = table_of(weak);
+  EXPECT_THAT(of_weak.at("driver_duty").why_absent(design.view()).reason,
+              ::testing::MatchesRegex("the driver cannot give the current: raise driver.voltage_V or lower current_A; "
+                                      "got 0\\.0.* A in a coil at most, even at 20 degC, of .* A"));
 }
 
 // Coils in the grip are as warm as the grip makes them.

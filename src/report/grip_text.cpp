@@ -131,6 +131,9 @@ std::string magnets_text(const GripAnswer& answer) {
         "these forces are there once at most.\n",
         answer.current, answer.magnets_cold->margin);
   const std::optional<double> loss = loss_held(answer);
+  if (!loss && answer.magnets_cold && (answer.heat || answer.burns()))
+    return fmt::format("What a hold costs the magnets is not known: there is no steady temperature at {:.4g} A.\n",
+                       answer.current);
   if (!loss) return {};
   return fmt::format(
       "If it goes on without end, the worst magnet loses {} of its moment for good; the hottest is at {:.4g} degC.\n",

@@ -107,6 +107,12 @@ class Grip(ProgramTest):
         text = run("grip", finger, *BALL, "--current-A", "1").stdout
         self.assertTrue(text.startswith("Held, but the magnets weaken (see below): 40 g at 1 A. "), text)
 
+    def test_says_that_a_hold_without_a_steady_temperature_costs_the_magnets_what_nobody_knows(self):
+        finger = CONFIGS / "actuators" / "finger.json"
+        self.assertIn("\nWhat a hold costs the magnets is not known: there is no steady temperature at 2 A.\n",
+                      run("grip", finger, *BALL, "--current-A", "2").stdout)
+        self.assertIsNone(json.loads(run("grip", finger, *BALL, "--current-A", "2", "--json").stdout)["irreversible_loss_held_pct"])
+
     def test_says_that_fingers_bend_past_an_object(self):
         text = run("grip", FINGER, "--width-mm", "40", "--mass-g", "100", "--friction", "1").stdout
         self.assertRegex(text, r"Both fingers touch it after [\d.]+ ms, and bend past it: in the end neither touches it\.\n")

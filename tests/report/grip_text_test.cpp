@@ -9,6 +9,7 @@ namespace {
 
 using systems::gripper::GripAnswer;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 // A ball of 40 g between fingers that carry twice its weight.
@@ -101,6 +102,16 @@ TEST(GripText, SaysWhatHeatTakesFromMagnetsThatTheFieldLeavesAlone) {
   answer.magnets_held->irreversible_loss = 1e-5;
   EXPECT_THAT(to_text(answer), StartsWith("Held: 40 g "));
   EXPECT_THAT(to_text(answer), HasSubstr("loses less than 0.1 % of its moment for good"));
+}
+
+TEST(GripText, SaysThatAHoldWithoutASteadyTemperatureCostsTheMagnetsWhatNobodyKnows) {
+  GripAnswer answer = held_ball(2);
+  answer.heat = {.time_to_limit = 55.6};
+  answer.magnets_cold = {.margin = 0.3};
+  EXPECT_THAT(to_text(answer), HasSubstr("from cold.\nWhat a hold costs the magnets is not known: there is no steady "
+                                         "temperature at 0.9 A.\n"));
+  answer.magnets_cold.reset();
+  EXPECT_THAT(to_text(answer), Not(HasSubstr("not known")));
 }
 
 TEST(GripText, SaysHowFarAFingerStaysAway) {

@@ -54,7 +54,9 @@ Json to_json(const GripAnswer& answer) {
   if (answer.least_friction) out.set("least_friction", answer.least_friction->found);
   out.set("runaway_current_A", answer.burns_from);
   if (answer.magnets_cold) out.set("demagnetisation_margin", answer.magnets_cold->margin);
-  if (answer.magnets_held) out.set("irreversible_loss_held_pct", answer.magnets_held->irreversible_loss * 100.0);
+  if (answer.magnets_cold)
+    out.set("irreversible_loss_held_pct",
+            answer.magnets_held ? Json(answer.magnets_held->irreversible_loss * 100.0) : Json());
   out.set("cost_USD", answer.cost).set("pneumatic_cost_USD", actuator::PneumaticGripperCost{}.total());
   if (answer.heat) {
     out.set("continuous_current_A", answer.heat->current_for_good());

@@ -73,7 +73,7 @@ std::shared_ptr<const CoilRow> coil_row_of(const Design& design, const Dimension
     coils.push_back({.coil = curves.coil(), .centre = centre(design, size, i), .polarity = part.polarity * 1.0});
   }
   if (coils.size() < 2) return nullptr;
-  return std::make_shared<const CoilRow>(chain, std::move(coils), orientation_of(design));
+  return std::make_shared<const CoilRow>(chain, std::move(coils), orientation_of(design), design.curve_tolerance);
 }
 
 MagneticStage magnetics_of(const Design& design, const Dimensions& size, PairCurves& curves) {

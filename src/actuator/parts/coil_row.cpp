@@ -15,8 +15,6 @@ namespace {
 
 using magnetics::ThickCoil;
 
-constexpr double curve_tolerance = 1e-6;
-
 bool alike(const ThickCoil& a, const ThickCoil& b) {
   return a.inner_radius() == b.inner_radius() && a.outer_radius() == b.outer_radius() && a.length() == b.length() &&
          a.turns_radial() == b.turns_radial() && a.turns_axial() == b.turns_axial() && a.winding() == b.winding();
@@ -44,8 +42,8 @@ Family& family_of(std::vector<Family>& families, const Family& candidate) {
 }  // namespace
 
 CoilRow::CoilRow(const mechanics::PlanarChain& chain, std::vector<PlacedCoil> coils,
-                 DistantPair::Orientation orientation)
-    : coils_(std::move(coils)), orientation_(orientation) {
+                 DistantPair::Orientation orientation, double curve_tolerance)
+    : coils_(std::move(coils)), orientation_(orientation), curve_tolerance_(curve_tolerance) {
   if (coils_.size() < 2) throw std::invalid_argument(fmt::format("coils: at least two; got {}", coils_.size()));
   const mechanics::JointVector straight = mechanics::JointVector::Zero(chain.joints());
   for (std::size_t i = 0; i < coils_.size(); ++i) {
@@ -90,8 +88,8 @@ std::vector<DistantPair> CoilRow::build() const {
   for (const Family& family : families) {
     const AxialCurves curves = axial_curves(
         magnetics::force_curve(family.first->coil, family.second->coil,
-                               {.lower = family.lower, .upper = family.upper, .tolerance = curve_tolerance}),
-        curve_tolerance);
+                               {.lower = family.lower, .upper = family.upper, .tolerance = curve_tolerance_}),
+        curve_tolerance_);
     for (const std::size_t pair : family.pairs) {
       pairs[pair].axial_force = curves.force;
       pairs[pair].axial_energy = curves.energy;

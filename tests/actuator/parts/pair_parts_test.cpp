@@ -122,6 +122,17 @@ TEST(CoilRow, PairsEveryCoilWithEveryOther) {
   EXPECT_NEAR(near / far, 16.0, 5.0);  // dipoles: the fourth power
 }
 
+TEST(CoilRow, HasTheToleranceOfItsDesign) {
+  const auto force = [](double tolerance) {
+    Design design = paper_finger();
+    design.curve_tolerance = tolerance;
+    return assemble_or_throw(design).model.nominal_spec().coil_row->pairs()[0].axial_force->value(2.0 * 9.9e-3);
+  };
+  EXPECT_NE(force(1e-2), force(1e-6));
+  // Of the largest, at 0.9 of this distance: 1.5 times this by the fourth power.
+  EXPECT_NEAR(force(1e-2), force(1e-6), 2e-2 * std::abs(force(1e-6)));
+}
+
 TEST(CoilRow, NeedsTwoCoilsOnRisingLinks) {
   const ModelSpec spec = finger_spec(Configuration::B);
   std::vector<PlacedCoil> coils = spec.coil_row->coils();

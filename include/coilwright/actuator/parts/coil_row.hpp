@@ -22,12 +22,14 @@ struct PlacedCoil {
 class CoilRow {
  public:
   /// `coils` base to tip, in the order of their currents, each on a link of its own; at least two. `chain` at angles 0
-  /// tells how far apart they are. Throws std::invalid_argument where the links do not rise.
-  CoilRow(const mechanics::PlanarChain& chain, std::vector<PlacedCoil> coils, DistantPair::Orientation orientation);
+  /// tells how far apart they are; `curve_tolerance` (> 0) is that of Design. Throws std::invalid_argument where the
+  /// links do not rise.
+  CoilRow(const mechanics::PlanarChain& chain, std::vector<PlacedCoil> coils, DistantPair::Orientation orientation,
+          double curve_tolerance = 1e-6);
 
   [[nodiscard]] const std::vector<PlacedCoil>& coils() const noexcept { return coils_; }
-  /// Every coil with every other, each force curve exact to 1e-6 of its largest value from 0.9 of the distance when
-  /// straight, for neighbours from where they would touch if that is more. Safe from any thread.
+  /// Every coil with every other, each force curve exact to the tolerance times its largest value from 0.9 of the
+  /// distance when straight, for neighbours from where they would touch if that is more. Safe from any thread.
   [[nodiscard]] std::vector<DistantPair> pairs() const;
 
  private:
@@ -36,6 +38,7 @@ class CoilRow {
   std::vector<PlacedCoil> coils_;
   std::vector<Eigen::Vector2d> straight_;  // centres at angles 0, m
   DistantPair::Orientation orientation_;
+  double curve_tolerance_;
   mutable std::mutex mutex_;
   mutable std::vector<DistantPair> pairs_;
 };

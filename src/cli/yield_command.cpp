@@ -118,9 +118,12 @@ ExitCode run_yield(const YieldCommandOptions& options) {
                                                                   .threads = static_cast<unsigned>(options.threads),
                                                                   .stop = interruption.token()},
                                                                  options.quiet);
-  if (!yield) return ExitCode::interrupted;
-  std::cout << (options.json ? formats::to_json(*yield).text() : report::to_text(*yield));
-  return ExitCode::done;
+  if (yield) std::cout << (options.json ? formats::to_json(*yield).text() : report::to_text(*yield)) << std::flush;
+  if (!interruption.requested()) return ExitCode::done;
+  std::cerr << fmt::format(
+      "coilwright: interrupted: {} of {} builds were made{}\n", yield ? yield->builds : 0, options.builds,
+      options.worth_builds > 0 && (!yield || yield->worths.empty()) ? ", and no scatter has its worth" : "");
+  return ExitCode::interrupted;
 }
 
 }  // namespace
@@ -156,7 +159,8 @@ void add_yield_command(CLI::App& app, Outcome& outcome) {
       "and how many builds keep each limit and "
       "all.\n"
       "With --worth also Sobol's indices, and what half of each scatter would bring. What the spread leaves out (an\n"
-      "effect that nobody knows) is not in it.\n\n"
+      "effect that nobody knows) is not in it. Ctrl-C prints what the builds made so far say; the exit code is then "
+      "130.\n\n"
       "Example:\n"
       "  coilwright yield configs/studies/robust_finger.json results/robust_finger/actuator.json");
   command->callback([options, &outcome] { outcome.code = run_yield(*options); });

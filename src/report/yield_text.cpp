@@ -30,6 +30,19 @@ std::string quantities_text(const sizing::Yield& yield) {
   return table.text(0, {left, right, right, right, right, right, left});
 }
 
+// By cause, most builds first.
+std::string failures_text(const sizing::Yield& yield) {
+  if (yield.failures.empty()) return {};
+  TextTable table;
+  std::size_t all = 0;
+  for (const sizing::FailureCause& cause : yield.failures) {
+    table.row({fmt::format("{}", cause.builds), cause.reason});
+    all += cause.builds;
+  }
+  return fmt::format("{} of them lack a figure that is asked for, and keep nothing\n", all) +
+         table.text(2, {right, left});
+}
+
 std::string index_text(const std::optional<sizing::SobolIndex>& index) {
   return index ? fmt::format("{:.2f} ({:.2f} to {:.2f})", index->value, index->low, index->high) : "-";
 }
@@ -104,9 +117,7 @@ std::string shortfalls_of_answer_text(const sizing::Yield& yield) {
 
 std::string to_text(const sizing::Yield& yield) {
   std::string out = share_text(yield);
-  if (yield.not_built > 0)
-    out += fmt::format("{} could not be built, have no performance, or a driver that cannot give the current\n",
-                       yield.not_built);
+  out += failures_text(yield);
   out += "\n" + quantities_text(yield) + shortfalls_text(yield);
   if (yield.worths.empty()) return out;
   for (std::size_t i = 0; i < yield.quantities.size(); ++i)

@@ -1,9 +1,14 @@
 """A study's spread, and `coilwright yield`: builds of a design by dice."""
 
 import json
+import os
+import pathlib
+import signal
+import subprocess
+import time
 import unittest
 
-from program import PAPER_FINGER, ProgramTest, run
+from program import HANGS, PAPER_FINGER, PROGRAM, ProgramTest, run
 from study import write_study
 
 SPREAD = {"spread": {"gap_mm": {"sd": 0.05}, "current_A": {"relative_sd": 0.02}}}
@@ -194,7 +199,38 @@ class Yield(ProgramTest):
         answer = self.answer("--builds", "200")
         self.assertGreater(answer["not_built"], 20)
         self.assertAlmostEqual(answer["keeps_all"]["share"], 1 - answer["not_built"] / 200, places=12)
+        cause = {"reason": "the driver cannot give the current: raise driver.voltage_V or lower current_A", "builds": answer["not_built"]}
+        self.assertEqual(answer["failures"], [cause])
+        text = run("yield", "study.json", "finger.json", "--builds", "200", "--quiet", cwd=self.folder).stdout
+        self.assertIn(f"\n{cause['builds']} of them lack a figure that is asked for, and keep nothing\n  {cause['builds']}  {cause['reason']}\n", text)
         self.assertEqual([row["quantity"] for row in answer["quantities"]], ["peak_bending_speed_deg_s", "driver_thermal_load"])
+
+    def test_builds_that_run_away_are_told_by_the_figure_that_they_lack(self):
+        runaway = json.loads(run("evaluate", PAPER_FINGER, "--current-A", "1.2", "--json").stdout)["runaway_current_A"]
+        write_study(self, operating_point={"current_A": runaway}, spread={"current_A": {"relative_uniform": [-0.2, 0.2]}},
+                    objectives=[{"minimise": "coil_hot_spot_degC"}], constraints=[])
+        (cause,) = self.answer("--builds", "100")["failures"]
+        self.assertEqual(cause["reason"], "coil_hot_spot_degC has no value: the current is at or beyond that of a thermal runaway")
+        self.assertTrue(20 < cause["builds"] < 80, cause)
+
+    def test_ctrl_c_prints_what_the_builds_made_so_far_say(self):
+        def seconds_of(process):
+            times = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rsplit(")", 1)[1].split()[11:13]
+            return sum(map(int, times)) / os.sysconf("SC_CLK_TCK")
+
+        write_study(self, **SPREAD, operating_point={"current_A": 1.2}, constraints=[])
+        process = subprocess.Popen([PROGRAM, "yield", "study.json", "finger.json", "--builds", "1000000", "--json", "--quiet"],
+                                   cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
+        while seconds_of(process) < 5:
+            self.assertIsNone(process.poll())
+            time.sleep(0.02)
+        process.send_signal(signal.SIGINT)
+        output, errors = process.communicate(timeout=HANGS)
+        answer = json.loads(output)
+        self.assertTrue(10 < answer["builds"] < 1000000, answer["builds"])
+        self.assertEqual(answer["keeps_all"]["share"], 1)
+        self.assertEqual((process.returncode, errors),
+                         (130, f"coilwright: interrupted: {answer['builds']} of 1000000 builds were made\n"))
 
     def test_a_limit_on_a_deviation_is_of_no_build(self):
         write_study(self, **SPREAD, operating_point={"current_A": 1.2}, constraints=[{"quantity": "sd_mass_g", "at_most": 0.5}])

@@ -56,8 +56,8 @@ constexpr Rule share_rule = Rule::between(0.0, 1.0);
 Share read_share(const Node& node) {
   ObjectReader in(node);
   const Share out{.value = in.number("share", share_rule),
-                          .low = in.number("low", share_rule),
-                          .high = in.number("high", share_rule)};
+                  .low = in.number("low", share_rule),
+                  .high = in.number("high", share_rule)};
   if (out.low > out.value || out.high < out.value)
     throw node.error_without_value("must have a share from its low to its high");
   return out;
@@ -71,10 +71,10 @@ std::optional<double> nullable_number(ObjectReader& in, std::string_view key) {
 BuiltQuantity read_built_quantity(const Node& node) {
   ObjectReader in(node);
   BuiltQuantity out{.name = in.at("quantity").name(),
-                            .nominal = nullable_number(in, "nominal"),
-                            .p05 = nullable_number(in, "p05"),
-                            .p50 = nullable_number(in, "p50"),
-                            .p95 = nullable_number(in, "p95")};
+                    .nominal = nullable_number(in, "nominal"),
+                    .p05 = nullable_number(in, "p05"),
+                    .p50 = nullable_number(in, "p50"),
+                    .p95 = nullable_number(in, "p95")};
   const auto keeps = in.find("keeps");
   if (!keeps) return out;
   out.limit = in.at("limit").name();
@@ -89,6 +89,12 @@ Yield read_yield(const Node& node) {
   ObjectReader in(node);
   Yield out{.builds = in.integer<std::uint32_t>("builds", Rule::at_least(1.0))};
   out.not_built = in.integer<std::uint32_t>("not_built", Rule::between(0.0, static_cast<double>(out.builds)));
+  if (in.find("failures"))
+    for (const Node& each : in.elements("failures", Length::at_least(0))) {
+      ObjectReader cause(each);
+      out.failures.push_back(
+          {.reason = cause.at("reason").name(), .builds = cause.integer<std::uint32_t>("builds", Rule::at_least(1.0))});
+    }
   out.keeps_all = read_share(in.at("keeps_all"));
   for (const Node& each : in.elements("quantities", Length::at_least(1)))
     out.quantities.push_back(read_built_quantity(each));
@@ -238,11 +244,16 @@ Json to_json(const SizeReport& report) {
 }
 
 Json to_json(const Yield& yield) {
-  return Json::object({{"builds", yield.builds},
-                       {"not_built", yield.not_built},
-                       {"keeps_all", share_json(yield.keeps_all)},
-                       {"quantities", Json::list(yield.quantities, built_json)},
-                       {"scatters", Json::list(yield.worths, worth_json)}});
+  return Json::object(
+      {{"builds", yield.builds},
+       {"not_built", yield.not_built},
+       {"failures", Json::list(yield.failures,
+                               [](const FailureCause& each) {
+                                 return Json::object({{"reason", each.reason}, {"builds", each.builds}});
+                               })},
+       {"keeps_all", share_json(yield.keeps_all)},
+       {"quantities", Json::list(yield.quantities, built_json)},
+       {"scatters", Json::list(yield.worths, worth_json)}});
 }
 
 }  // namespace coilwright::formats

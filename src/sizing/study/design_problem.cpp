@@ -42,22 +42,6 @@ std::optional<double> varied_current(const Study& study, std::span<const double>
   return std::nullopt;
 }
 
-// The failure of a design that does not have a value of a quantity that the study asks for.
-NotEvaluated without(const simulation::ResultQuantity& quantity, const simulation::DesignView& design) {
-  if (quantity.why_absent) {
-    const simulation::NoValue why = quantity.why_absent(design);
-    return {.reason = fmt::format("{} has no value: {}", quantity.name, why.reason),
-            .infeasibility = why.infeasibility};
-  }
-  const std::string why = quantity.absence.empty() ? "it is not finite" : quantity.absence;
-  std::string reason = fmt::format("{} has no value: {}", quantity.name, why);
-  const simulation::Heat& free = design.performance.free.heat;
-  const simulation::Heat& gripping = design.performance.gripping.heat;
-  if (free.coil_temperature && gripping.coil_temperature) return {.reason = std::move(reason), .infeasibility = 1.0};
-  const double rms = std::abs(design.point.current) * std::sqrt(design.point.duty);
-  return {.reason = std::move(reason), .infeasibility = rms / std::min(free.runaway_current, gripping.runaway_current)};
-}
-
 Evaluation failed(const NotEvaluated& why, std::vector<std::optional<double>> quantities) {
   return {.objectives = {},
           .constraints = {},
@@ -174,12 +158,14 @@ Evaluation DesignProblem::assess(const DesignResult& result) const {
   out.quantities = values_of(study().quantities, design);
   for (const StudyObjective& objective : study().objectives) {
     const std::optional<double> value = objective.quantity.value(design);
-    if (!value || !std::isfinite(*value)) return failed(without(objective.quantity, design), std::move(out.quantities));
+    if (!value || !std::isfinite(*value))
+      return failed(without_value(objective.quantity, design), std::move(out.quantities));
     out.objectives.push_back(*value);
   }
   for (const Limit& limit : study().limits) {
     const std::optional<double> value = limit.quantity.value(design);
-    if (!value || !std::isfinite(*value)) return failed(without(limit.quantity, design), std::move(out.quantities));
+    if (!value || !std::isfinite(*value))
+      return failed(without_value(limit.quantity, design), std::move(out.quantities));
     out.constraints.push_back(constraint_of(limit, *value));
   }
   return out;

@@ -1,7 +1,12 @@
 #include "sizing/study/evaluate_design.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <new>
+#include <string>
 #include <utility>
 
 namespace coilwright::sizing {
@@ -46,6 +51,21 @@ DesignResult evaluate_design(actuator::Design design, simulation::Settings setti
   } catch (const std::exception& failure) {
     return NotEvaluated{.reason = failure.what(), .infeasibility = 1.0};
   }
+}
+
+NotEvaluated without_value(const simulation::ResultQuantity& quantity, const simulation::DesignView& design) {
+  if (quantity.why_absent) {
+    const simulation::NoValue why = quantity.why_absent(design);
+    return {.reason = fmt::format("{} has no value: {}", quantity.name, why.reason),
+            .infeasibility = why.infeasibility};
+  }
+  const std::string why = quantity.absence.empty() ? "it is not finite" : quantity.absence;
+  std::string reason = fmt::format("{} has no value: {}", quantity.name, why);
+  const simulation::Heat& free = design.performance.free.heat;
+  const simulation::Heat& gripping = design.performance.gripping.heat;
+  if (free.coil_temperature && gripping.coil_temperature) return {.reason = std::move(reason), .infeasibility = 1.0};
+  const double rms = std::abs(design.point.current) * std::sqrt(design.point.duty);
+  return {.reason = std::move(reason), .infeasibility = rms / std::min(free.runaway_current, gripping.runaway_current)};
 }
 
 }  // namespace coilwright::sizing

@@ -18,4 +18,8 @@ using OperatingPointOf = std::function<actuator::OperatingPoint(const actuator::
                                            const OperatingPointOf& operating_point,
                                            const std::optional<StudyDriver>& driver);
 
+/// The failure of a design that has no value, or none that is finite, of a quantity that is asked for.
+[[nodiscard]] NotEvaluated without_value(const simulation::ResultQuantity& quantity,
+                                         const simulation::DesignView& design);
+
 }  // namespace coilwright::sizing

@@ -6,11 +6,14 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 #include <cmath>
+#include <functional>
+#include <regex>
 #include <stdexcept>
 #include <utility>
 #include <variant>
 
 #include "sizing/problem/workers.hpp"
+#include "sizing/study/evaluate_design.hpp"
 
 namespace coilwright::sizing {
 namespace {
@@ -43,8 +46,41 @@ std::vector<Asked> asked_of(const Study& study) {
   return out;
 }
 
-// Values of the builds, by quantity; nothing of a build after a stop.
+// Values of the builds, by quantity.
 using Values = std::vector<std::vector<std::optional<double>>>;
+
+// One build.
+struct Build {
+  std::vector<std::optional<double>> values{};  // by quantity
+  bool has_performance = true;
+  std::string failure{};  // where it lacks a value
+};
+
+// Without what it got and with .. for numbers, in which builds that fail alike differ.
+std::string cause_in(const std::string& reason) {
+  static const std::regex number("(^| )-?[0-9][^ ,:]*");
+  return std::regex_replace(reason.substr(0, reason.find(';')), number, "$1..");
+}
+
+std::vector<FailureCause> causes_of(const std::vector<Build>& builds) {
+  constexpr std::size_t told = 4;
+  std::vector<FailureCause> out;
+  for (const Build& build : builds) {
+    if (build.failure.empty()) continue;
+    const auto known = std::ranges::find(out, build.failure, &FailureCause::reason);
+    if (known == out.end())
+      out.push_back({.reason = build.failure, .builds = 1});
+    else
+      ++known->builds;
+  }
+  std::ranges::stable_sort(out, std::greater(), &FailureCause::builds);
+  if (out.size() <= told + 1) return out;
+  FailureCause others{.reason = "other causes"};
+  for (std::size_t i = told; i < out.size(); ++i) others.builds += out[i].builds;
+  out.resize(told);
+  out.push_back(std::move(others));
+  return out;
+}
 
 Share share_of(std::size_t met, std::size_t all) {
   using Binomial = boost::math::binomial;
@@ -86,35 +122,57 @@ class Builder {
 
   [[nodiscard]] const std::vector<Asked>& asked() const noexcept { return asked_; }
 
-  // Nothing after a stop.
-  [[nodiscard]] std::optional<Values> values(const Spread& spread, const Shares& shares) {
-    Values out(asked_.size(), std::vector<std::optional<double>>(shares.size()));
+  // Those that were begun before a stop.
+  [[nodiscard]] std::vector<Build> builds(const Spread& spread, const Shares& shares) {
+    std::vector<Build> out(shares.size());
     workers_.run(shares.size(), [&](std::size_t build) {
       if (options_.stop.stop_requested()) return;
-      const DesignResult one = built(spread, design_.view(), shares[build]);
-      if (const auto* done = std::get_if<EvaluatedDesign>(&one))
-        for (std::size_t i = 0; i < asked_.size(); ++i) {
-          const std::optional<double> value = asked_[i].quantity->value(done->view());
-          if (value && std::isfinite(*value)) out[i][build] = value;
-        }
-      else
-        ++not_built_;
+      out[build] = one(spread, shares[build]);
       if (options_.progress) options_.progress(++done_, of_);
     });
-    if (options_.stop.stop_requested()) return std::nullopt;
+    std::erase_if(out, [](const Build& build) { return build.values.empty(); });
     return out;
   }
 
-  [[nodiscard]] std::size_t not_built() const noexcept { return not_built_; }
+  [[nodiscard]] Values values_of(const std::vector<Build>& builds) const {
+    Values out(asked_.size());
+    for (std::size_t i = 0; i < asked_.size(); ++i)
+      for (const Build& build : builds) out[i].push_back(build.values[i]);
+    return out;
+  }
+
+  // Nothing after a stop.
+  [[nodiscard]] std::optional<Values> values(const Spread& spread, const Shares& shares) {
+    const std::vector<Build> all = builds(spread, shares);
+    return options_.stop.stop_requested() ? std::nullopt : std::optional(values_of(all));
+  }
 
  private:
+  [[nodiscard]] Build one(const Spread& spread, const std::vector<double>& shares) const {
+    Build out{.values = std::vector<std::optional<double>>(asked_.size())};
+    const DesignResult result = built(spread, design_.view(), shares);
+    if (const auto* none = std::get_if<NotEvaluated>(&result)) {
+      out.has_performance = false;
+      out.failure = cause_in(none->reason);
+      return out;
+    }
+    const simulation::DesignView view = std::get<EvaluatedDesign>(result).view();
+    for (std::size_t i = 0; i < asked_.size(); ++i) {
+      const std::optional<double> value = asked_[i].quantity->value(view);
+      if (value && std::isfinite(*value))
+        out.values[i] = value;
+      else if (out.failure.empty())
+        out.failure = cause_in(without_value(*asked_[i].quantity, view).reason);
+    }
+    return out;
+  }
+
   std::vector<Asked> asked_;
   const EvaluatedDesign& design_;
   const YieldOptions& options_;
   std::size_t of_;
   Workers workers_;
   std::atomic<std::size_t> done_ = 0;
-  std::atomic<std::size_t> not_built_ = 0;
 };
 
 BuiltQuantity built_quantity(const Asked& asked, const std::vector<std::optional<double>>& values,
@@ -332,17 +390,18 @@ std::optional<Yield> yield_of(const Study& study, const EvaluatedDesign& design,
   const std::vector<Input> inputs = inputs_of(spread);
   const std::size_t of = options.builds + options.worth_builds * (2 + 2 * inputs.size());
   Builder builder(study, design, options, of);
-  const std::optional<Values> values = builder.values(spread, random_shares(dimension, options.builds, options.seed));
-  if (!values) return std::nullopt;
-  Yield out{.builds = options.builds,
-            .not_built = builder.not_built(),
-            .keeps_all = share_of(count_keeping_all(builder.asked(), *values), options.builds)};
+  const std::vector<Build> builds = builder.builds(spread, random_shares(dimension, options.builds, options.seed));
+  if (builds.empty()) return std::nullopt;
+  const Values values = builder.values_of(builds);
+  Yield out{.builds = builds.size(),
+            .not_built = static_cast<std::size_t>(std::ranges::count(builds, false, &Build::has_performance)),
+            .failures = causes_of(builds),
+            .keeps_all = share_of(count_keeping_all(builder.asked(), values), builds.size())};
   for (std::size_t i = 0; i < builder.asked().size(); ++i)
-    out.quantities.push_back(built_quantity(builder.asked()[i], (*values)[i], design));
-  if (options.worth_builds == 0) return out;
-  std::optional<std::vector<ScatterWorth>> worths = worths_of(spread, inputs, builder, options);
-  if (!worths) return std::nullopt;
-  out.worths = std::move(*worths);
+    out.quantities.push_back(built_quantity(builder.asked()[i], values[i], design));
+  if (options.worth_builds == 0 || options.stop.stop_requested()) return out;
+  if (std::optional<std::vector<ScatterWorth>> worths = worths_of(spread, inputs, builder, options))
+    out.worths = std::move(*worths);
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <stop_token>
 #include <tuple>
 
 #include "coilwright/actuator/design/value_limits.hpp"
@@ -391,6 +392,20 @@ TEST(YieldOf, TakesTheJointsOfAFingerAsOne) {
   EXPECT_EQ(yield->worths[0].scatter, each_joint);
   EXPECT_NEAR(yield->worths[0].total[0].value().value, 0.0, 1e-9);  // the current is not theirs
   EXPECT_EQ(yield->worths[1].scatter, "current_A");
+}
+
+TEST(YieldOf, IsOfTheBuildsMadeBeforeAStop) {
+  const Study study = study_with(spread_of({normal("current_A", 0.02, true)}), 1.24);
+  std::stop_source stop;
+  YieldOptions options{.builds = 2000, .worth_builds = 100, .threads = 1, .stop = stop.get_token()};
+  options.progress = [&stop](std::size_t done, std::size_t) {
+    if (done == 12) stop.request_stop();
+  };
+  const auto yield = yield_of(study, paper_like(1.2), options);
+  ASSERT_TRUE(yield);
+  EXPECT_EQ(yield->builds, 12u);
+  EXPECT_TRUE(yield->worths.empty());
+  EXPECT_FALSE(yield_of(study, paper_like(1.2), options));  // now it is asked before the first
 }
 
 TEST(YieldOf, NeedsASpread) {

@@ -50,11 +50,18 @@ struct ScatterWorth {
   Share keeps_all{};  ///< of builds in which it deviates half as far, by the same dice
 };
 
+/// What builds without a value of all that is asked fail by.
+struct FailureCause {
+  std::string reason;  ///< its first words, ".." for numbers: "the driver cannot give the current: raise .."
+  std::size_t builds{};
+};
+
 /// What becomes of a design when it is built.
 struct Yield {
   std::size_t builds{};
-  std::size_t not_built{};  ///< without a performance, as one whose driver cannot give the current
-  Share keeps_all{};        ///< of the builds that keep every limit
+  std::size_t not_built{};               ///< without a performance, as one whose driver cannot give the current
+  std::vector<FailureCause> failures{};  ///< most builds first; at most five, the last then "other causes"
+  Share keeps_all{};                     ///< of the builds that keep every limit
   std::vector<BuiltQuantity> quantities{};
   std::vector<ScatterWorth> worths{};  ///< one a scatter; empty where none were asked for
 };
@@ -71,8 +78,8 @@ struct YieldOptions {
 
 /// Builds a design of `study` many times: its objectives, its limits and the thermal load with its driver's ripple. Of
 /// a limit or an objective on a statistic ("p95_coil_hot_spot_degC <= 130") each build is held against the limit
-/// itself, of one on a mean or a deviation none is. Nothing after a stop. Throws std::invalid_argument for a study
-/// without a spread.
+/// itself, of one on a mean or a deviation none is. After a stop it is of the builds made so far, without worths;
+/// nothing where none was made. Throws std::invalid_argument for a study without a spread.
 [[nodiscard]] std::optional<Yield> yield_of(const Study& study, const EvaluatedDesign& design,
                                             const YieldOptions& options);
 

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <array>
 #include <cerrno>
+#include <fstream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -108,8 +111,26 @@ void require_file(const fs::path& path) {
   if (!fs::is_regular_file(status)) throw error_about(path, "cannot be read: it is no regular file");
 }
 
+// How what SQLite keeps under these names begins; or it is empty or begins with zeros, as a kill may leave it.
+struct KindOfLog {
+  const char* suffix;
+  std::string_view beginning;
+};
+constexpr std::array kinds_of_log{KindOfLog{"-wal", "\x37\x7f\x06"}, KindOfLog{"-shm", "\x18\xe2\x2d"},
+                                  KindOfLog{"-journal", "\xd9\xd5\x05"}};
+
+bool is_log(const fs::path& path, std::string_view beginning) {
+  std::error_code error;
+  const fs::file_type type = fs::symlink_status(path, error).type();
+  if (type != fs::file_type::regular) return type == fs::file_type::not_found;  // its run has just ended
+  std::string head(beginning.size(), '\0');
+  std::ifstream(path, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head == beginning || head == std::string(beginning.size(), '\0');
+}
+
 SQLite::Database open(const fs::path& path, int flags) {
   require_file(path);
+  (void)logs_of(path);  // what else has such a name, SQLite would take back and delete
   // Whoever has a connection lets one thread use it at a time; SQLite need not lock it once more for each value.
   SQLite::Database database =
       reading(path, [&] { return SQLite::Database(path.string(), flags | SQLite::OPEN_NOMUTEX, busy_timeout); });
@@ -121,6 +142,21 @@ SQLite::Database open(const fs::path& path, int flags) {
 }
 
 }  // namespace
+
+std::vector<fs::path> logs_of(const fs::path& archive) {
+  std::error_code error;
+  const bool is_there = fs::exists(fs::symlink_status(archive, error));
+  std::vector<fs::path> out;
+  for (const KindOfLog& kind : kinds_of_log) {
+    fs::path log = archive.string() + kind.suffix;
+    if (!fs::exists(fs::symlink_status(log, error))) continue;
+    if (!is_there || !is_log(log, kind.beginning))
+      throw error_about(log, fmt::format("stands where a log of {} goes, and is none of an archive here: move it away",
+                                         archive.filename().string()));
+    out.push_back(std::move(log));
+  }
+  return out;
+}
 
 int version_of(const SQLite::Database& database) {
   SQLite::Statement version(database, "PRAGMA user_version");

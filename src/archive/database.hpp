@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "archive/checksum.hpp"
 #include "coilwright/text/input_error.hpp"
@@ -20,6 +21,10 @@ namespace coilwright::archive {
 /// The same to be written to, with a write-ahead log whose commits are on the disk when they return: what is recorded
 /// outlives a failing power supply. Throws OutputError (preparing) where it cannot be written.
 [[nodiscard]] SQLite::Database open_to_write(const std::filesystem::path& path);
+
+/// What SQLite keeps beside an archive and deletes with its last change: logs of a run that is under way or was killed.
+/// Throws InputError where another file stands in the place of one, or no archive beside it.
+[[nodiscard]] std::vector<std::filesystem::path> logs_of(const std::filesystem::path& archive);
 
 /// The version of its tables.
 [[nodiscard]] int version_of(const SQLite::Database& database);

@@ -86,6 +86,8 @@ void remove_quietly(const fs::path& path) {
 void create(const fs::path& path, const Contents& contents) {
   constexpr auto preparing = text::OutputError::Stage::preparing;
   const fs::path part = path.parent_path() / fmt::format(".{}.part-{}", path.filename().string(), getpid());
+  // What a run that was killed left beside the file belongs to the one that is replaced, and would be played into this.
+  const std::vector<fs::path> logs = logs_of(path);
   remove_quietly(part);
   try {
     writing(path, preparing, [&] {
@@ -93,9 +95,7 @@ void create(const fs::path& path, const Contents& contents) {
       register_checksum(database);
       write_contents(database, contents);
     });
-    // What a run that was killed left beside the file belongs to the one that is replaced, and would be played into
-    // this.
-    for (const char* log : {"-wal", "-shm", "-journal"}) remove_quietly(path.string() + log);
+    for (const fs::path& log : logs) remove_quietly(log);
     std::error_code error;
     fs::rename(part, path, error);
     if (error) throw text::OutputError(path, error.message(), preparing);

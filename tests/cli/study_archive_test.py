@@ -272,6 +272,22 @@ class Folders(ArchivedStudy):
         self.assert_refused(["size", "study.json", "--out", "out"],
                             "out/archive.sqlite: is no archive of a study: file is not a database")
 
+    def test_files_in_the_place_of_its_logs_are_left_alone(self):
+        write_study(self, search={"max_evaluations": 20})
+        for suffix in ("-wal", "-shm", "-journal"):
+            shutil.rmtree(self.folder / "out", ignore_errors=True)
+            log = f"out/{ARCHIVE}{suffix}"
+            rule = f"{log}: stands where a log of {ARCHIVE} goes, and is none of an archive here: move it away"
+            (self.folder / "out").mkdir()
+            self.write(log, "mine")
+            for option in ([], ["--force"]):
+                self.assert_refused(["size", "study.json", "--out", "out", *option], rule)
+            (self.folder / log).unlink()
+            self.run_well("size")
+            self.write(log, "mine")
+            for option in ([], ["--resume"], ["--force"]):
+                self.assert_refused(["size", "study.json", "--out", "out", *option], rule)
+
     def test_resume_and_force_exclude_each_other(self):
         write_study(self)
         result = run("size", "study.json", "--out", "out", "--resume", "--force", cwd=self.folder)

@@ -16,7 +16,8 @@
 namespace coilwright::archive {
 
 /// Makes the archive of these contents, without a design, replacing what stands under its name. It appears complete or
-/// not at all. Throws text::OutputError (preparing).
+/// not at all. Throws text::OutputError (preparing), and InputError where a file that is no log of an archive there has
+/// the name of one (archive.sqlite-wal).
 void create(const std::filesystem::path& path, const Contents& contents);
 
 /// Takes out of an archive the designs that are not what was written, and gives their number: a run that goes on

@@ -151,12 +151,6 @@ Table table_of(const Chart& chart) {
   return table;
 }
 
-Json frame(const std::string& title, const std::string& description) {
-  return Json::object({{"$schema", vega_lite_schema},
-                       {"description", fmt::format("{}. {}", title, description)},
-                       {"width", "container"}});
-}
-
 // How full the bars of so many groups are, the first ones most.
 Json fillings(std::size_t groups) {
   constexpr double full = 1.0;
@@ -169,6 +163,16 @@ Json fillings(std::size_t groups) {
 
 }  // namespace
 
+Json vega_lite(const std::string& description, std::size_t height, bool resizes, const char* autosize) {
+  Json size = Json::object({{"type", autosize}, {"contains", "padding"}});
+  if (resizes) size.set("resize", true);
+  return Json::object({{"$schema", "https://vega.github.io/schema/vega-lite/v6.json"},
+                       {"description", description},
+                       {"width", "container"},
+                       {"height", height},
+                       {"autosize", std::move(size)}});
+}
+
 std::string short_number(double value) {
   return fmt::format("{:.4g}", value);
 }
@@ -179,8 +183,7 @@ Figure figure_of(const Chart& chart) {
     if (has(chart, mark)) layers.add(layer_of(chart, mark));
   for (const Series& each : chart.series)
     if (each.mark == Mark::level) add_level(layers, chart, each);
-  Json spec = frame(chart.title, chart.description);
-  spec.set("height", 280).set("autosize", Json::object({{"type", "fit"}, {"contains", "padding"}, {"resize", true}}));
+  Json spec = vega_lite(fmt::format("{}. {}", chart.title, chart.description), 280, true);
   spec.set("data", data_of(chart));
   spec.set("transform", Json::array({Json::object({{"flatten", Json::array({"place", "x", "y"})}})}));
   spec.set("layer", std::move(layers));
@@ -228,9 +231,7 @@ Figure figure_of(const BarChart& chart) {
     encoding.set("shape", group("nominal", Json::object({})));
   else
     encoding.set("opacity", group("ordinal", Json::object({{"range", fillings(seen.size())}})));
-  Json spec = frame(chart.title, chart.description);
-  spec.set("height", 22 * labels.size());
-  spec.set("autosize", Json::object({{"type", "fit-x"}, {"contains", "padding"}, {"resize", true}}));
+  Json spec = vega_lite(fmt::format("{}. {}", chart.title, chart.description), 22 * labels.size(), true, "fit-x");
   spec.set("data", Json::object({{"values", std::move(rows)}}));
   spec.set("mark", chart.symbols ? Json::object({{"type", "point"}, {"size", 70}, {"filled", true}})
                                  : Json::object({{"type", "bar"}}));

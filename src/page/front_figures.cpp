@@ -125,16 +125,9 @@ Figure scatter(const FrontTable& front, const OtherDesigns& others) {
       fmt::format("{} designs of the front by {} and {}{}.{} A click selects the nearest design; so does the slider.",
                   front.rows(), front.objectives[0], front.objectives[1],
                   coloured ? fmt::format(", coloured by {}", front.objectives[2]) : "", behind);
-  return {.id = "front",
-          .title = "Designs of the front",
-          .description = description,
-          .content = Json::object({{"$schema", vega_lite_schema},
-                                   {"description", description},
-                                   {"width", "container"},
-                                   {"height", 420},
-                                   {"autosize", Json::object({{"type", "fit"}, {"contains", "padding"}})},
-                                   {"datasets", Json::object({{"front", rows_of(front)}, {"others", rows_of(others)}})},
-                                   {"layer", layers}})};
+  Json spec = vega_lite(description, 420, false);
+  spec.set("datasets", Json::object({{"front", rows_of(front)}, {"others", rows_of(others)}})).set("layer", layers);
+  return {.id = "front", .title = "Designs of the front", .description = description, .content = std::move(spec)};
 }
 
 // A column between its least and its greatest value; a text by its place among the texts.
@@ -235,23 +228,18 @@ std::optional<Figure> parallel(const FrontTable& front) {
       "at the bottom to the greatest on top. The selected design is the thick line.",
       rows.size() == front.rows() ? fmt::format("the {}", rows.size())
                                   : fmt::format("{} of the {}", rows.size(), front.rows()));
-  return Figure{
-      .id = "parallel",
-      .title = "Objectives and variables side by side",
-      .description = description,
-      .content = Json::object(
-          {{"$schema", vega_lite_schema},
-           {"description", description},
-           {"width", "container"},
-           {"height", 380},
-           {"autosize", Json::object({{"type", "fit"}, {"contains", "padding"}})},
-           {"datasets", Json::object({{"lines", std::move(lines)}, {"ends", std::move(ends)}, {"selected", selected}})},
-           {"layer",
-            Json::array({parallel_layer("lines", Json::object({{"type", "line"}, {"style", "design"}})),
-                         parallel_layer("selected",
-                                        Json::object({{"type", "line"}, {"style", "selected-line"}, {"point", true}})),
-                         end_layer("least", -0.02, "'top'", "'right'"),
-                         end_layer("greatest", 1.02, "'bottom'", "'left'")})}})};
+  Json spec = vega_lite(description, 380, false);
+  spec.set("datasets", Json::object({{"lines", std::move(lines)}, {"ends", std::move(ends)}, {"selected", selected}}));
+  spec.set(
+      "layer",
+      Json::array(
+          {parallel_layer("lines", Json::object({{"type", "line"}, {"style", "design"}})),
+           parallel_layer("selected", Json::object({{"type", "line"}, {"style", "selected-line"}, {"point", true}})),
+           end_layer("least", -0.02, "'top'", "'right'"), end_layer("greatest", 1.02, "'bottom'", "'left'")}));
+  return Figure{.id = "parallel",
+                .title = "Objectives and variables side by side",
+                .description = description,
+                .content = std::move(spec)};
 }
 
 using Values = std::vector<double>;  // one for each objective

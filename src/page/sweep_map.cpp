@@ -180,17 +180,13 @@ Json spec_of(MapParts parts, const FrontTable& leaders, bool sampled) {
                                  {"encoding", Json::object({{"x", x}, {"y", y}, {"color", colour}})}})});
   constexpr const char* names =
       "['colour: ' + quantity, 'across: ' + split(pair, ', ')[0], 'up: ' + split(pair, ', ')[1]]";
-  return Json::object({{"$schema", vega_lite_schema},
-                       {"description", parts.description},
-                       {"width", "container"},
-                       {"height", 380},
-                       {"autosize", Json::object({{"type", "fit"}, {"contains", "padding"}, {"resize", true}})},
-                       {"params", Json::array({choice_of("pair", "Across, up: ", parts.pairs),
-                                               choice_of("quantity", "Colour: ", leaders.objectives)})},
-                       {"title", Json::object({{"text", Json::object({{"expr", names}})}})},
-                       {"data", Json::object({{"values", std::move(parts.rows)}})},
-                       {"transform", std::move(parts.transform)},
-                       {"layer", layers}});
+  Json spec = vega_lite(parts.description, 380, true);
+  spec.set("params", Json::array({choice_of("pair", "Across, up: ", parts.pairs),
+                                  choice_of("quantity", "Colour: ", leaders.objectives)}));
+  spec.set("title", Json::object({{"text", Json::object({{"expr", names}})}}));
+  spec.set("data", Json::object({{"values", std::move(parts.rows)}}));
+  spec.set("transform", std::move(parts.transform)).set("layer", layers);
+  return spec;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -7,8 +8,10 @@
 
 namespace coilwright::page {
 
-/// What a specification of Vega-Lite names as its schema.
-inline constexpr const char* vega_lite_schema = "https://vega.github.io/schema/vega-lite/v6.json";
+/// The beginning of a specification of Vega-Lite: a view as wide as its place, `height` pixels high, that stays within
+/// its size by `autosize` ("fit", "fit-x"). `resizes`: looks again where its data change.
+[[nodiscard]] text::Json vega_lite(const std::string& description, std::size_t height, bool resizes,
+                                   const char* autosize = "fit");
 
 /// How a series of a chart is drawn.
 enum class Mark {

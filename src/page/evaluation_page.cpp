@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -20,10 +19,8 @@ namespace {
 using simulation::ChoiceEffect;
 using simulation::DesignView;
 using simulation::EvaluatedDesign;
+using simulation::main_figures;
 using simulation::PartLimit;
-
-// For what an actuator is usually built: in the verdict, and held against every other modelling choice.
-constexpr std::array main_figures = {"peak_bending_speed_deg_s", "steady_angle_deg", "grasp_force_N", "damping_ratio"};
 
 std::string value_text(const DesignView& design, std::string_view name) {
   const std::optional<double> value = simulation::standard_quantities().at(name).value(design);
@@ -53,7 +50,8 @@ std::vector<std::string> cautions_of(const std::vector<PartLimit>& limits) {
 
 std::string verdict_of(const DesignView& design, const std::vector<PartLimit>& limits) {
   std::vector<std::string> figures;
-  for (const char* name : main_figures) figures.push_back(fmt::format("{} {}", name, value_text(design, name)));
+  for (const std::string_view name : main_figures)
+    figures.push_back(fmt::format("{} {}", name, value_text(design, name)));
   const std::string does =
       fmt::format("With {} A {} and a duty of {}: {}.", short_number(design.point.current),
                   has_one_current(design.design)
@@ -90,16 +88,17 @@ Section limits_section(const std::vector<PartLimit>& limits) {
 Section choices_section(const DesignView& design, std::span<const ChoiceEffect> effects) {
   Section section{.id = "assumptions", .title = "What the answer rests on"};
   Table table{.header = {"subject", "taken", "otherwise"}};
-  for (const char* name : main_figures) table.header.emplace_back(name);
+  for (const std::string_view name : main_figures) table.header.emplace_back(name);
   table.header.emplace_back("settled by");
   std::vector<std::string> taken{"as taken", "", ""};
-  for (const char* name : main_figures) taken.push_back(value_text(design, name));
+  for (const std::string_view name : main_figures) taken.push_back(value_text(design, name));
   taken.emplace_back("");
   table.rows.push_back(std::move(taken));
   for (const ChoiceEffect& each : effects) {
     std::vector<std::string> row{std::string(each.choice.subject), each.choice.taken, each.choice.otherwise};
     const auto* other = std::get_if<EvaluatedDesign>(&each.result);
-    for (const char* name : main_figures) row.push_back(other != nullptr ? value_text(other->view(), name) : "-");
+    for (const std::string_view name : main_figures)
+      row.push_back(other != nullptr ? value_text(other->view(), name) : "-");
     row.emplace_back(each.choice.settled_by);
     table.rows.push_back(std::move(row));
   }

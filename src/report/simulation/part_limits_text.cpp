@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -19,9 +18,6 @@ using simulation::DesignView;
 using simulation::EvaluatedDesign;
 using simulation::NoPerformance;
 using simulation::PartLimit;
-
-// The figures for which an actuator is usually built.
-constexpr std::array main_figures = {"peak_bending_speed_deg_s", "steady_angle_deg", "grasp_force_N", "damping_ratio"};
 
 // Relative changes below this are not worth a reader's time.
 constexpr double noticeable = 0.005;
@@ -45,7 +41,7 @@ FigureChange change_of(std::string_view name, const DesignView& taken, const Des
 
 std::string changes_text(const DesignView& taken, const DesignView& other) {
   std::vector<std::string> changes;
-  for (const std::string_view name : main_figures)
+  for (const std::string_view name : simulation::main_figures)
     if (FigureChange change = change_of(name, taken, other); change.is_noticeable)
       changes.push_back(std::move(change.text));
   return fmt::format("{}", fmt::join(changes, "; "));

@@ -10,6 +10,7 @@
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/page/design_figures.hpp"
 #include "coilwright/sizing/study/design_problem.hpp"
+#include "coilwright/text/one_line.hpp"
 #include "coilwright/units/angle.hpp"
 
 namespace coilwright::page {
@@ -56,16 +57,6 @@ Json angles_of(const simulation::StepMotion& motion) {
   for (const simulation::State& state : motion.states)
     out.add(std::round(100.0 * state.angles.sum() * units::degrees_per_radian) / 100.0);
   return out;
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  for (std::size_t start = 0; start < text.size();) {
-    const std::size_t end = std::min(text.find('\n', start), text.size());
-    lines.push_back(text.substr(start, end - start));
-    start = end + 1;
-  }
-  return lines;
 }
 
 // The file of a row; its operating point is the study's with the row's current, unless a cell's circuit says both.
@@ -130,7 +121,7 @@ Json front_actuators(const sizing::Study& study, const FrontTable& front) {
   std::vector<std::optional<std::vector<std::string>>> files;
   for (std::size_t row = 0; row < front.rows(); ++row) {
     const std::optional<std::string> text = actuator_of(problem, front, row);
-    files.push_back(text ? std::optional(lines_of(*text)) : std::nullopt);
+    files.push_back(text ? std::optional(text::lines_of(*text)) : std::nullopt);
   }
   const auto first = std::ranges::find_if(files, [](const auto& file) { return file.has_value(); });
   if (first == files.end()) return {};

@@ -15,6 +15,7 @@
 #include "coilwright/measurement/compare/decision_thresholds.hpp"
 #include "coilwright/report/diagnosis_text.hpp"
 #include "coilwright/report/text_table.hpp"
+#include "coilwright/text/one_line.hpp"
 #include "report/diagnosis_parts.hpp"
 
 namespace coilwright::report {
@@ -243,16 +244,6 @@ std::vector<std::string> cautions_of(const formats::DiagnosisReport& report) {
   return out;
 }
 
-std::vector<std::string> lines_of(std::string_view text) {
-  std::vector<std::string> out;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    out.emplace_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return out;
-}
-
 // A section of the summary; nothing where it has no line.
 std::string section(std::string_view title, const std::string& text) {
   return text.empty() ? "" : fmt::format("\n{}\n{}", title, text);
@@ -275,10 +266,10 @@ std::string warnings_text(const Diagnosis& diagnosis) {
 formats::DiagnosisSummary summary_of(const formats::DiagnosisReport& report) {
   formats::DiagnosisSummary out{.verdict = verdict_sentence(report.diagnosis),
                                 .cautions = cautions_of(report),
-                                .assumptions = lines_of(diagnosis_assumptions(report))};
+                                .assumptions = text::lines_of(diagnosis_assumptions(report))};
   std::ranges::replace(out.verdict, '\n', ' ');
   if (report.diagnosis.verdict == Verdict::incomplete) return out;
-  out.rivals = lines_of(rivals_text(report.diagnosis));
+  out.rivals = text::lines_of(rivals_text(report.diagnosis));
   for (std::string& line : out.rivals) line.erase(0, std::min(line.find_first_not_of(' '), line.size()));
   out.next_steps = next_steps(report);
   return out;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace coilwright::text {
@@ -70,6 +71,16 @@ std::string one_line(std::string_view text, std::size_t longest) {
 
 std::string in_quotes(std::string_view text, std::size_t longest) {
   return '"' + one_line(text, longest) + '"';
+}
+
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> out;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    out.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
 }
 
 }  // namespace coilwright::text

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace coilwright::text {
 
@@ -13,5 +14,8 @@ namespace coilwright::text {
 
 /// one_line(text) between double quotes.
 [[nodiscard]] std::string in_quotes(std::string_view text, std::size_t longest = 80);
+
+/// The lines of a text without their ends; nothing after the last end.
+[[nodiscard]] std::vector<std::string> lines_of(std::string_view text);
 
 }  // namespace coilwright::text

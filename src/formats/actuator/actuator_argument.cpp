@@ -15,7 +15,7 @@
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/text/spelling.hpp"
 #include "coilwright/units/unit.hpp"
-#include "formats/actuator/design_reader.hpp"
+#include "formats/actuator/actuator_reader.hpp"
 
 namespace coilwright::formats {
 namespace {

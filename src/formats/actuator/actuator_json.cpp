@@ -16,9 +16,9 @@
 #include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/units/unit.hpp"
+#include "formats/actuator/actuator_reader.hpp"
 #include "formats/actuator/as_built_format.hpp"
 #include "formats/actuator/choice_words.hpp"
-#include "formats/actuator/lumped_model_reader.hpp"
 #include "formats/actuator/magnetic_parts.hpp"
 
 namespace coilwright::formats {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "coilwright/units/unit.hpp"
+#include "formats/actuator/actuator_reader.hpp"
 #include "formats/actuator/magnetic_parts.hpp"
 
 namespace coilwright::formats {
@@ -106,7 +107,7 @@ NamedBody read_body(const Node& node, bool posed_here) {
     const bool is_coil = in.one_of({"coil", "magnet"}) == "coil";
     Body body = is_coil
                     ? Body{.part = DrivenCoil{.coil = magnetics::ThickCoil(read_coil(in.at("coil"), read_winding(in))),
-                                              .current = in.quantity("current_A", coil_current)}}
+                                              .current = in.quantity("current_A", current_rule)}}
                     : Body{.part = read_magnet(in.at("magnet"))};
     if (posed_here) {
       body.pose.position = position_or_origin(in);

@@ -11,9 +11,6 @@
 
 namespace coilwright::formats {
 
-/// A current that nothing computed from it makes overflow, A.
-inline constexpr text::Rule coil_current = text::Rule::between(-1e6, 1e6);
-
 /// A magnet of any shape: the keys of a cylinder, a ring or a block, "remanence_T", "recoil_permeability" (1 if absent)
 /// and "magnetised_along" (z if absent).
 [[nodiscard]] magnetics::Magnet read_magnet(const text::Node& node);

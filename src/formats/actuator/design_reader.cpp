@@ -1,4 +1,4 @@
-#include "formats/actuator/design_reader.hpp"
+#include "formats/actuator/actuator_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,7 +18,6 @@
 #include "coilwright/winding/wire.hpp"
 #include "formats/actuator/as_built_format.hpp"
 #include "formats/actuator/choice_words.hpp"
-#include "formats/actuator/effects_reader.hpp"
 #include "formats/actuator/magnetic_parts.hpp"
 
 namespace coilwright::formats {
@@ -131,6 +130,13 @@ void require_plausible(const Design& design) {
                       each.quantity, each.factor));
 }
 
+// "configuration", or "layout" with an optional "polarity".
+actuator::Layout read_row_of_design(ObjectReader& in) {
+  if (in.one_of({"configuration", "layout"}) == "configuration")
+    return actuator::layout_of(read_configuration(in.at("configuration")));
+  return read_row(in.at("layout"), in.find("polarity"));
+}
+
 }  // namespace
 
 std::string name_rule(const actuator::Parameter& parameter, std::string_view text) {
@@ -201,17 +207,11 @@ void read_polarity(const Node& node, actuator::Layout& layout) {
   }
 }
 
-actuator::Layout read_layout(ObjectReader& in) {
-  if (in.one_of({"configuration", "layout"}) == "configuration")
-    return actuator::layout_of(read_configuration(in.at("configuration")));
-  return read_row(in.at("layout"), in.find("polarity"));
-}
-
 DesignContent read_design(ObjectReader& in, const actuator::EffectCatalogue& known) {
   DesignContent content;
   Design& design = content.design;
   if (calibrated_by_first_version(in.node())) set_defaults_of_first_version(design);
-  design.layout = read_layout(in);
+  design.layout = read_row_of_design(in);
   for (const std::string_view section : {"coil", "magnet", "body", "bottom_layer_silicone", "surroundings"})
     read_section(in, section, design);
   if (const int number = share_without_coil(design); number > 0)

@@ -1,4 +1,4 @@
-#include "formats/actuator/effects_reader.hpp"
+#include "formats/actuator/actuator_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

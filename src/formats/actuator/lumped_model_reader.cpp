@@ -1,4 +1,4 @@
-#include "formats/actuator/lumped_model_reader.hpp"
+#include "formats/actuator/actuator_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,6 @@
 #include "coilwright/magnetics/hinge_torque.hpp"
 #include "formats/actuator/as_built_format.hpp"
 #include "formats/actuator/choice_words.hpp"
-#include "formats/actuator/effects_reader.hpp"
 #include "formats/actuator/magnetic_parts.hpp"
 
 namespace coilwright::formats {

@@ -1,4 +1,4 @@
-#include "formats/actuator/operating_point_format.hpp"
+#include "formats/actuator/actuator_reader.hpp"
 
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "formats/actuator/choice_words.hpp"
@@ -19,10 +19,6 @@ void read_heat_and_supply(ObjectReader& in, actuator::OperatingPoint& point) {
 
 }  // namespace
 
-Rule current_rule() {
-  return Rule::between(-1e6, 1e6);
-}
-
 void read_operating_conditions(ObjectReader& in, actuator::OperatingPoint& point) {
   point.duty = in.number_or("duty", point.duty, Rule::between(0.0, 1.0));
   point.grasp.opening = in.quantity_or("grasp_opening_deg", point.grasp.opening, Rule::between(0.0, 360.0));
@@ -32,7 +28,7 @@ void read_operating_conditions(ObjectReader& in, actuator::OperatingPoint& point
 
 actuator::OperatingPoint read_operating_point(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
-    actuator::OperatingPoint point{.current = in.number("current_A", current_rule())};
+    actuator::OperatingPoint point{.current = in.number("current_A", current_rule)};
     read_operating_conditions(in, point);
     return point;
   });

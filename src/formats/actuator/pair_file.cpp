@@ -4,6 +4,7 @@
 
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
+#include "formats/actuator/actuator_reader.hpp"
 #include "formats/actuator/body_reader.hpp"
 #include "formats/actuator/choice_words.hpp"
 #include "formats/actuator/magnetic_parts.hpp"
@@ -31,8 +32,8 @@ std::vector<Body> read_two_coils(ObjectReader& in) {
   const CurrentDistribution winding = read_winding(in);
   const auto coils = in.elements("coils", Length::exactly(2));
   const bool one_each = in.one_of({"current_A", "currents_A"}) == "currents_A";
-  const auto currents = one_each ? in.quantities("currents_A", Length::exactly(2), coil_current)
-                                 : std::vector<double>(2, in.quantity("current_A", coil_current));
+  const auto currents = one_each ? in.quantities("currents_A", Length::exactly(2), current_rule)
+                                 : std::vector<double>(2, in.quantity("current_A", current_rule));
   std::vector<Body> bodies;
   for (std::size_t i = 0; i < coils.size(); ++i)
     bodies.push_back({.part = DrivenCoil{.coil = ThickCoil(read_coil(coils[i], winding)), .current = currents[i]}});
@@ -41,7 +42,7 @@ std::vector<Body> read_two_coils(ObjectReader& in) {
 
 std::vector<Body> read_coil_and_magnet(ObjectReader& in) {
   const ThickCoil coil(read_coil(in.at("coil"), read_winding(in)));
-  const double current = in.quantity("current_A", coil_current);
+  const double current = in.quantity("current_A", current_rule);
   return {{.part = DrivenCoil{.coil = coil, .current = current}}, {.part = read_magnet(in.at("magnet"))}};
 }
 

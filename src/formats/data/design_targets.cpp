@@ -6,8 +6,7 @@
 #include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/text/json/json_pointer.hpp"
 #include "coilwright/units/unit.hpp"
-#include "formats/actuator/design_reader.hpp"
-#include "formats/actuator/lumped_model_reader.hpp"
+#include "formats/actuator/actuator_reader.hpp"
 
 namespace coilwright::formats {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "coilwright/measurement/replay/mean_of_joints.hpp"
 #include "coilwright/text/json/json_pointer.hpp"
-#include "formats/actuator/lumped_model_reader.hpp"
+#include "formats/actuator/actuator_reader.hpp"
 #include "formats/actuator/magnetic_parts.hpp"
 
 namespace coilwright::formats {

@@ -15,8 +15,7 @@
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
-#include "formats/actuator/design_reader.hpp"
-#include "formats/actuator/operating_point_format.hpp"
+#include "formats/actuator/actuator_reader.hpp"
 #include "formats/study/study_keys.hpp"
 
 namespace coilwright::formats {
@@ -104,7 +103,7 @@ void read_operation(const Node& node, const Blocks& blocks, Study& study) {
   if (key == "current_of") {
     read_driven(in, blocks, study);
   } else if (key == "current_A") {
-    study.current = FixedCurrent{in.number("current_A", current_rule())};
+    study.current = FixedCurrent{in.number("current_A", current_rule)};
   } else {
     study.current = ShareOfLimit{in.number("share_of_current_limit", largest_share)};
   }

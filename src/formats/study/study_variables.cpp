@@ -13,8 +13,7 @@
 #include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/text/spelling.hpp"
-#include "formats/actuator/design_reader.hpp"
-#include "formats/actuator/operating_point_format.hpp"
+#include "formats/actuator/actuator_reader.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -113,9 +112,8 @@ StudyVariable read_variable(const Node& node, const std::string& name, const std
   if (name == "layout") return read_layouts(node, name, read_layout_value);
   if (name == "polarity") return LayoutVariable{.name = name, .values = {}};  // of a row that is read later
   if (name == "current_A")
-    return read_object(node, [](ObjectReader& in) {
-      return CurrentVariable{read_range(in, current_rule(), VariableKind::continuous)};
-    });
+    return read_object(
+        node, [](ObjectReader& in) { return CurrentVariable{read_range(in, current_rule, VariableKind::continuous)}; });
   if (const auto found = std::ranges::find(of_blocks, name, &BlockVariable::name); found != of_blocks.end())
     return read_object(node, [&](ObjectReader& in) {
       return SettingVariable{

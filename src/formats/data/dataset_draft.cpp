@@ -9,7 +9,6 @@
 
 #include "coilwright/formats/data/run_file.hpp"
 #include "coilwright/text/one_line.hpp"
-#include "formats/data/layout_advice.hpp"
 #include "formats/data/layout_format.hpp"
 
 namespace coilwright::formats {

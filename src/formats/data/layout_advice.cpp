@@ -1,4 +1,3 @@
-#include "formats/data/layout_advice.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "coilwright/formats/data/run_file.hpp"
 #include "coilwright/text/csv/csv_layout.hpp"
+#include "coilwright/text/csv/csv_table.hpp"
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 
@@ -21,5 +24,32 @@ struct LayoutEntry {
 
 /// An object with the keys of a layout added, as read_layout() reads them; no key for what is found in the file.
 [[nodiscard]] text::Json with_layout(text::Json object, const text::CsvLayout& layout);
+
+/// The keys of a layout as they are pasted into an object: `"columns": {"Time [s]": "time_s"}`.
+[[nodiscard]] std::string pasted(const text::CsvLayout& layout);
+
+/// The error with the advice of with_layout_advice(). `layout` is the entry's own, or that of its input file; `accepts`
+/// says whether a header is taken.
+[[nodiscard]] text::InputError advised(const text::InputError& error, const text::CsvHeader& header,
+                                       const RunEntry& entry, const FileLayout& layout,
+                                       const std::function<bool(text::CsvHeader&)>& accepts);
+
+/// Asks a header for its columns by `ask`. Where that throws because the names are others, the error goes on with what
+/// to write into dataset.json: the layout that the header would be taken with, or what only a person knows.
+template <class Ask>
+auto with_layout_advice(text::CsvHeader& header, const RunEntry& entry, const FileLayout& layout, Ask&& ask) {
+  try {
+    return ask(header);
+  } catch (const text::InputError& error) {
+    throw advised(error, header, entry, layout, [&](text::CsvHeader& other) {
+      try {
+        (void)ask(other);
+        return true;
+      } catch (const text::InputError&) {
+        return false;
+      }
+    });
+  }
+}
 
 }  // namespace coilwright::formats

@@ -8,7 +8,7 @@
 
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/units/unit.hpp"
-#include "formats/data/layout_advice.hpp"
+#include "formats/data/layout_format.hpp"
 
 namespace coilwright::formats {
 namespace {

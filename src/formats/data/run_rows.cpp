@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "coilwright/units/unit.hpp"
-#include "formats/data/layout_advice.hpp"
+#include "formats/data/layout_format.hpp"
 
 namespace coilwright::formats {
 namespace {

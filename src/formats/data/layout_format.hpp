@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coilwright/formats/data/run_file.hpp"
-#include "coilwright/text/csv/csv_layout.hpp"
+#include "coilwright/text/csv/csv_form.hpp"
 #include "coilwright/text/csv/csv_table.hpp"
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/text/json/object_reader.hpp"

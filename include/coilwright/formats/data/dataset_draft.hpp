@@ -8,7 +8,6 @@
 
 #include "coilwright/measurement/data/run.hpp"
 #include "coilwright/text/csv/csv_form.hpp"
-#include "coilwright/text/csv/csv_layout.hpp"
 #include "coilwright/text/json/json.hpp"
 
 namespace coilwright::formats {

@@ -10,7 +10,7 @@
 
 #include "coilwright/measurement/data/dataset.hpp"
 #include "coilwright/measurement/data/run.hpp"
-#include "coilwright/text/csv/csv_layout.hpp"
+#include "coilwright/text/csv/csv_form.hpp"
 #include "coilwright/text/input_error.hpp"
 
 namespace coilwright::formats {

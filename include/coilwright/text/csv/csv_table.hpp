@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "coilwright/text/csv/csv_form.hpp"
-#include "coilwright/text/csv/csv_layout.hpp"
 #include "coilwright/text/input_error.hpp"
 
 namespace coilwright::text {

@@ -13,7 +13,6 @@
 #include "coilwright/text/one_line.hpp"
 #include "text/csv/csv_clock.hpp"
 #include "text/csv/csv_fields.hpp"
-#include "text/csv/csv_names.hpp"
 #include "text/input_file.hpp"
 
 namespace coilwright::text {

@@ -1,4 +1,3 @@
-#include "text/csv/csv_names.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "coilwright/text/input_error.hpp"
+#include "coilwright/text/input_text.hpp"
 
 namespace coilwright::text {
 namespace {
@@ -50,6 +51,17 @@ std::span<char> InputFile::read(std::span<char> buffer) {
   bytes_read_ += count;
   if (bytes_read_ > size_limit_) throw too_large(name_, size_limit_);
   return buffer.first(count);
+}
+
+InputText read_text(const std::filesystem::path& path, std::size_t size_limit) {
+  InputFile file(path, size_limit);
+  InputText read{.file = file.name(), .text = {}};
+  constexpr std::size_t block = 1 << 16;
+  for (std::size_t filled = 0;; filled = read.text.size()) {
+    read.text.resize(filled + block);
+    read.text.resize(filled + file.read({read.text.data() + filled, block}).size());
+    if (read.text.size() < filled + block) return read;
+  }
 }
 
 }  // namespace coilwright::text

@@ -84,7 +84,7 @@ Dataset read_runs(const Node& node, const LayoutEntry& layout, const measurement
     if (run.kind == RunKind::still)
       data.still.push_back(std::move(run));
     else
-      (entry.role == Role::fit ? data.fit : validate).push_back(std::move(run));
+      (entry.validate ? validate : data.fit).push_back(std::move(run));
   }
   for (const auto& [source, place] : layout.named)
     if (!used.contains(source)) throw place.error_without_value("fits no file of the set");

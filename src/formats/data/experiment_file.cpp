@@ -229,11 +229,7 @@ PlannedRun read_run(const Node& node, const Defaults& defaults) {
     planned.plan.name = read_file_name(in.at("file"));
     const auto kind = in.find("kind");
     planned.plan.kind = kind ? read_run_kind(*kind) : RunKind::transient;
-    const bool still = planned.plan.kind == RunKind::still;
-    if (const auto role = still ? in.find("role") : std::optional(in.at("role")))
-      planned.validate = role->choice<bool>({{"fit", false}, {"validate", true}});
-    if (still && planned.validate)
-      throw in.at("role").error("must be \"fit\": every run uses a still run, and none is held out");
+    planned.validate = read_is_validate(in, planned.plan.kind == RunKind::still);
     if (planned.plan.kind == RunKind::transient)
       read_transient(in, defaults, planned);
     else if (planned.plan.kind == RunKind::still)

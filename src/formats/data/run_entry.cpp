@@ -55,10 +55,6 @@ void check_exposure(const Run& run, const Node& node) {
   if (run.clock.exposure >= run.times.back() - run.times.front()) throw node.error("must be shorter than the record");
 }
 
-Role read_role(const Node& node) {
-  return node.choice<Role>({{"fit", Role::fit}, {"validate", Role::validate}});
-}
-
 // What an object says of the layout of its file, over what stands above it.
 FileLayout read_file_layout(ObjectReader& in, const CsvLayout& above) {
   const LayoutEntry entry = read_layout(in, above);
@@ -115,10 +111,7 @@ RunInSet read_run_in_set(const Node& node, std::set<std::filesystem::path>& met,
     RunEntry entry{.name = file.name()};
     entry.kind = read_run_kind(in.at("kind"));
     const bool still = entry.kind == RunKind::still;
-    const auto said = still ? in.find("role") : std::optional(in.at("role"));
-    const Role role = said ? read_role(*said) : Role::fit;
-    if (still && role == Role::validate)
-      throw said->error("must be \"fit\": every run uses a still run, and none is held out");
+    const bool validate = read_is_validate(in, still);
     const auto start = in.find("start");
     entry.start = start ? read_start(*start) : Start::at_rest;
     const auto window = find_of_motion(in, "window_s", still ? entry.kind : RunKind::transient);
@@ -133,7 +126,7 @@ RunInSet read_run_in_set(const Node& node, std::set<std::filesystem::path>& met,
     if (!met.insert(unreadable ? file.path() : path).second) throw file.error("must not be there twice");
     in.finish();  // a mistake in this entry is told before one in its file
     RunInSet out{.file = read_named_table(file, [&](const auto& table) { return read_run(table, entry); }),
-                 .role = role,
+                 .validate = validate,
                  .input_file = entry.input_file};
     if (drive) check_drive(out.file.run, *drive);
     if (start) check_start(out.file.run, *start);

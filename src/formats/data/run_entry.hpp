@@ -9,13 +9,10 @@
 
 namespace coilwright::formats {
 
-/// Whether a fit may see a run.
-enum class Role { fit, validate };
-
 /// A run of a data set, with its files.
 struct RunInSet {
   RunFile file;
-  Role role{};                                        ///< of a still run: fit
+  bool validate{};                                    ///< whether fits must not see it; never a still run
   std::optional<std::filesystem::path> input_file{};  ///< which runs may share
 };
 

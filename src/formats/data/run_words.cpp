@@ -43,15 +43,19 @@ InputHold read_input_hold(const Node& node) {
   return read_name(node, InputHold::zero_order, InputHold::linear, InputHold::unknown_within_sample);
 }
 
-CoilWiring read_coil_wiring(const Node& node) {
-  return read_name(node, CoilWiring::driven, CoilWiring::open, CoilWiring::shorted);
+bool read_is_validate(ObjectReader& in, bool still) {
+  const auto role = still ? in.find("role") : std::optional(in.at("role"));
+  const bool validate = role && role->choice<bool>({{"fit", false}, {"validate", true}});
+  if (still && validate) throw role->error("must be \"fit\": every run uses a still run, and none is held out");
+  return validate;
 }
 
 measurement::data::RigChange read_rig(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
     measurement::data::RigChange rig{.base_turn = in.quantity_or("base_turn_deg", 0.0, turn_rule),
                                      .tip_mass = in.quantity_or("tip_mass_g", 0.0, mass_rule)};
-    if (const auto coil = in.find("coil")) rig.coil = read_coil_wiring(*coil);
+    if (const auto coil = in.find("coil"))
+      rig.coil = read_name(*coil, CoilWiring::driven, CoilWiring::open, CoilWiring::shorted);
     return rig;
   });
 }

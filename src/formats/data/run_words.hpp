@@ -12,7 +12,9 @@ namespace coilwright::formats {
 [[nodiscard]] measurement::data::Drive read_drive(const text::Node& node);
 [[nodiscard]] measurement::data::Start read_start(const text::Node& node);
 [[nodiscard]] measurement::data::InputHold read_input_hold(const text::Node& node);
-[[nodiscard]] measurement::data::CoilWiring read_coil_wiring(const text::Node& node);
+/// The key "role": whether fits must not see a run. A still run need not have it, and is never held out.
+[[nodiscard]] bool read_is_validate(text::ObjectReader& in, bool still);
+
 /// The object that says what was changed on the rig.
 [[nodiscard]] measurement::data::RigChange read_rig(const text::Node& node);
 

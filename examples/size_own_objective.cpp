@@ -26,7 +26,8 @@ const simulation::ResultQuantity grip_per_mass = {
     .scale = 15.0,
     .value = [](const simulation::DesignView& d) { return d.performance.cold.grasp_force / d.performance.mass; }};
 
-// The study in code. From a file it is formats::read_study(path, table): the file may then ask for the quantity, too.
+// The study in code. From a file it is formats::read_study(path, {.quantities = table}): it may ask for the quantity,
+// too.
 sizing::Study study() {
   const simulation::QuantityTable table = simulation::standard_quantities().with(grip_per_mass);
   sizing::Study study;

@@ -77,8 +77,7 @@ void find_study(const std::filesystem::path& folder, page::PageInputs& inputs) {
   std::vector<std::string> changes;
   for (const text::Node& change : required_member(document.root(), "set").elements()) changes.push_back(change.text());
   try {
-    inputs.study =
-        formats::read_study(files.at(0), simulation::standard_quantities(), actuator::standard_effects(), changes);
+    inputs.study = formats::read_study(files.at(0), {.changes = changes});
   } catch (const text::InputError& why) {
     inputs.why_no_study = fmt::format("the study that {} names cannot be read: {}.", provenance.string(), why.what());
   }

@@ -78,7 +78,8 @@ void add_search_options(CLI::App& command, StudyOptions& options) {
 StudyInput read_study(const StudyOptions& options, const ObjectiveCount& objectives) {
   require_names_once(options.changes);
   const text::InputText file = text::read_text(options.study, text::json_size_limit);
-  auto [study, actuator, posterior, builds_a_system] = formats::parse_study_file(file.text, file.file, options.changes);
+  auto [study, actuator, posterior, builds_a_system] =
+      formats::parse_study_file(file.text, file.file, {.changes = options.changes});
   const std::size_t count = study.objectives.size();
   if (count < objectives.least || count > objectives.most)
     throw text::InputError({.file = file.file,

@@ -79,7 +79,7 @@ sizing::Study study_of_one(const YieldCommandOptions& options) {
       of_study.push_back(*of_block);
     else
       (change.starts_with('/') ? of_study : of_actuator).push_back(change);
-  sizing::Study study = formats::parse_study(file.text, file.file, {.actuator = &actuator}, of_study);
+  sizing::Study study = formats::parse_study(file.text, file.file, {.changes = of_study, .actuator = &actuator});
   require_settings(study, options);
   for (const std::string& change : of_actuator) study.base = formats::with_assignment(std::move(study.base), change);
   if (!study.spread)

@@ -49,9 +49,9 @@ sizing::DesignProblem problem_of(const archive::Contents& contents) {
     throw std::runtime_error("the archive has not the texts of a study, an actuator and perhaps a diagnosis");
   std::vector<text::InputText> texts;
   for (const archive::Input& input : contents.inputs) texts.push_back({.file = input.file, .text = input.text});
-  return sizing::DesignProblem(
-      formats::parse_study(texts[0].text, texts[0].file,
-                           {.actuator = &texts[1], .posterior = count == 3 ? &texts[2] : nullptr}, contents.changes));
+  return sizing::DesignProblem(formats::parse_study(
+      texts[0].text, texts[0].file,
+      {.changes = contents.changes, .actuator = &texts[1], .posterior = count == 3 ? &texts[2] : nullptr}));
 }
 
 std::vector<double> point_of(const sizing::DesignProblem& problem, const archive::Reader& archive,

@@ -27,8 +27,6 @@ using namespace sizing;
 // A bound far beyond any hardware, and near enough that nothing overflows.
 constexpr Rule largest_share = positive.and_also(Rule::at_most(1e3));
 
-using simulation::QuantityTable;
-
 SearchOptions read_search(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
     SearchOptions options;
@@ -150,9 +148,7 @@ void require_lettered(const Study& study, const Node& variables) {
                   text_of(study.base.layout)));
 }
 
-Study read_study_file(const Document& document, const QuantityTable& quantities,
-                      const actuator::EffectCatalogue& effects, const StudyChanges& changes,
-                      const StudyTexts& texts = {}) {
+Study read_study_file(const Document& document, const StudyReading& reading) {
   return read_object(document.root(), [&](ObjectReader& in) {
     in.literal("format", "study/1");
     Study study;
@@ -164,10 +160,12 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     // Only a current that varies leaves nothing to say.
     const auto operation = varies_current(study) ? in.find("operating_point") : in.at("operating_point");
     if (operation) read_operation(*operation, blocks, study);
-    StudyQuantities wanted{
-        .known = with_quantities_of(blocks, quantities), .listed = quantities, .spread = {}, .of_builds = {}};
+    StudyQuantities wanted{.known = with_quantities_of(blocks, reading.quantities),
+                           .listed = reading.quantities,
+                           .spread = {},
+                           .of_builds = {}};
     if (const auto spread = in.find("spread")) {
-      study.spread = read_spread(*spread, variables_of(blocks), texts.posterior);
+      study.spread = read_spread(*spread, variables_of(blocks), reading.posterior);
       if (const auto* driven = std::get_if<DrivenCurrent>(&study.current)) study.spread->driven = *driven;
       study.spread->driver = study.driver;
       wanted.spread.emplace(*study.spread);
@@ -178,7 +176,8 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     study.quantities = wanted.listed;
     if (!operation || !operation->find("cases")) study.operating.cases = poses_of_use(study);
     if (const auto search = in.find("search")) study.search = read_search(*search);
-    study.base = changed(read_base(in.at("actuator"), effects, texts.actuator), study, in.node(), changes);
+    study.base =
+        changed(read_base(in.at("actuator"), reading.effects, reading.actuator), study, in.node(), reading.changes);
     if (study.spread) require_suits(*in.find("spread"), *study.spread, study.base, variables_of(blocks));
     for (StudyVariable& variable : study.variables)
       if (name_of(variable) == "polarity")
@@ -193,20 +192,17 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
 
 }  // namespace
 
-sizing::Study read_study(const std::filesystem::path& path, const QuantityTable& quantities,
-                         const actuator::EffectCatalogue& effects, const StudyChanges& changes) {
-  return read_study_file(changed(read_json(path), changes), quantities, effects, changes);
+sizing::Study read_study(const std::filesystem::path& path, const StudyReading& reading) {
+  return read_study_file(changed(read_json(path), reading.changes), reading);
 }
 
-sizing::Study parse_study(std::string_view text, std::string file, const QuantityTable& quantities,
-                          const actuator::EffectCatalogue& effects, const StudyChanges& changes) {
-  return parse_study_file(text, std::move(file), changes, quantities, effects).study;
+sizing::Study parse_study(std::string_view text, std::string file, const StudyReading& reading) {
+  return read_study_file(changed(parse_json(text, std::move(file)), reading.changes), reading);
 }
 
-StudyFile parse_study_file(std::string_view text, std::string file, const StudyChanges& changes,
-                           const QuantityTable& quantities, const actuator::EffectCatalogue& effects) {
-  const Document document = changed(parse_json(text, std::move(file)), changes);
-  sizing::Study study = read_study_file(document, quantities, effects, changes);
+StudyFile parse_study_file(std::string_view text, std::string file, const StudyReading& reading) {
+  const Document document = changed(parse_json(text, std::move(file)), reading.changes);
+  sizing::Study study = read_study_file(document, reading);
   const Node root = document.root();
   const auto spread = root.find("spread");
   const auto posterior = spread ? spread->find("posterior") : std::nullopt;
@@ -214,12 +210,6 @@ StudyFile parse_study_file(std::string_view text, std::string file, const StudyC
           .actuator = root.find("actuator")->path(),
           .posterior = posterior ? std::optional(posterior->path()) : std::nullopt,
           .builds_a_system = std::ranges::any_of(root.keys(), is_block)};
-}
-
-sizing::Study parse_study(std::string_view text, std::string file, const StudyTexts& texts,
-                          const StudyChanges& changes) {
-  return read_study_file(changed(parse_json(text, std::move(file)), changes), simulation::standard_quantities(),
-                         actuator::standard_effects(), changes, texts);
 }
 
 }  // namespace coilwright::formats

@@ -108,7 +108,7 @@ TEST_F(StudyFile, NamesQuantitiesOfTheTableItIsGiven) {
                                               }});
   std::string own = text;
   own.replace(own.find("damping_ratio"), std::string_view("damping_ratio").size(), "aspect_ratio");
-  const Study study = parse_study(own, (folder_.path() / "s.json").string(), table);
+  const Study study = parse_study(own, (folder_.path() / "s.json").string(), {.quantities = table});
   EXPECT_EQ(study.limits[1].quantity.meaning, "width divided by height of the cross-section");
   EXPECT_EQ(study.quantities.size(), table.size());
   EXPECT_THROW((void)parse(own), text::InputError);  // the default has no such row

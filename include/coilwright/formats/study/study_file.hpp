@@ -22,25 +22,28 @@ using StudyChanges = std::vector<std::string>;
 /// block's.
 [[nodiscard]] std::optional<std::string> block_pointer(std::string_view name);
 
+/// How a study is read, where its files alone do not say it.
+struct StudyReading {
+  /// Objectives and constraints name rows of it, and the study keeps it as the table of its results.
+  const simulation::QuantityTable& quantities = simulation::standard_quantities();
+  const actuator::EffectCatalogue& effects = actuator::standard_effects();  ///< of which the actuator's are
+  /// Made first. What the study varies, they cannot set: that is an InputError, as is a name or a value that does not
+  /// exist.
+  StudyChanges changes{};
+  /// Texts in place of files that the study names, whatever it names; nullptr: the file is read.
+  ///@{
+  const text::InputText* actuator{};
+  const text::InputText* posterior{};
+  ///@}
+};
+
 /// Reads a study (`"format": "study/1"`) and the actuator it names, whose path counts from the study's folder. Keys are
 /// in docs/formats.md. Throws InputError, also for what contradicts itself: a bound that crosses another, a limit that
 /// no value can meet together with another one, a current that is both fixed and varied.
-///
-/// `changes` are made first. What the study varies, they cannot set: that is an InputError too, as is a name or a value
-/// that does not exist.
-///
-/// Objectives and constraints name rows of `quantities`, which the study keeps as the table of its results. The
-/// actuator's effects are of `effects`.
-[[nodiscard]] sizing::Study read_study(const std::filesystem::path& path,
-                                       const simulation::QuantityTable& quantities = simulation::standard_quantities(),
-                                       const actuator::EffectCatalogue& effects = actuator::standard_effects(),
-                                       const StudyChanges& changes = {});
+[[nodiscard]] sizing::Study read_study(const std::filesystem::path& path, const StudyReading& reading = {});
 
 /// The same for a text in memory; `file` is the name its errors carry, and the actuator's path counts from its folder.
-[[nodiscard]] sizing::Study parse_study(std::string_view text, std::string file,
-                                        const simulation::QuantityTable& quantities = simulation::standard_quantities(),
-                                        const actuator::EffectCatalogue& effects = actuator::standard_effects(),
-                                        const StudyChanges& changes = {});
+[[nodiscard]] sizing::Study parse_study(std::string_view text, std::string file, const StudyReading& reading = {});
 
 /// A study and what of its file it does not keep.
 struct StudyFile {
@@ -51,19 +54,6 @@ struct StudyFile {
 };
 
 /// The same with that.
-[[nodiscard]] StudyFile parse_study_file(
-    std::string_view text, std::string file, const StudyChanges& changes,
-    const simulation::QuantityTable& quantities = simulation::standard_quantities(),
-    const actuator::EffectCatalogue& effects = actuator::standard_effects());
-
-/// Texts in place of files that a study names; nullptr: the file is read.
-struct StudyTexts {
-  const text::InputText* actuator{};
-  const text::InputText* posterior{};
-};
-
-/// The same with those, whatever files the study names.
-[[nodiscard]] sizing::Study parse_study(std::string_view text, std::string file, const StudyTexts& texts,
-                                        const StudyChanges& changes = {});
+[[nodiscard]] StudyFile parse_study_file(std::string_view text, std::string file, const StudyReading& reading = {});
 
 }  // namespace coilwright::formats

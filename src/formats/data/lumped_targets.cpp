@@ -67,12 +67,6 @@ double usual_change(std::string_view dimension, const Sizes& sizes) {
   return 0.1;  // rad, T
 }
 
-template <class Part, std::size_t Count>
-const PartKey<Part>* find_key(const std::array<PartKey<Part>, Count>& keys, std::string_view key) {
-  const auto found = std::ranges::find(keys, key, &PartKey<Part>::key);
-  return found == keys.end() ? nullptr : &*found;
-}
-
 // A number of the model, with the key and the rule that its file has for it.
 struct KnownNumber {
   LumpedNumber number;
@@ -84,8 +78,8 @@ struct KnownNumber {
 template <class Part, std::size_t Count>
 std::optional<KnownNumber> number_of(const std::array<PartKey<Part>, Count>& keys, std::size_t index,
                                      const std::string& key) {
-  const PartKey<Part>* known = find_key(keys, key);
-  if (known == nullptr) return std::nullopt;
+  const auto known = std::ranges::find(keys, key, &PartKey<Part>::key);
+  if (known == keys.end()) return std::nullopt;
   return KnownNumber{.number = PartNumber<Part>{index, known->member}, .key = key, .rule = known->rule};
 }
 

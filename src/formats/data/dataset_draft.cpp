@@ -34,16 +34,16 @@ void try_to_read(DraftedRun& run, const std::filesystem::path& file) {
   RunEntry entry{.name = run.file, .kind = run.guess.kind, .layout = {.layout = run.guess.layout}};
   try {
     const RunFile read = read_run(file, entry);
-    if (read.wrapped) {
-      std::erase_if(run.guess.layout.columns,
-                    [&](const CsvColumn& each) { return each.source == read.wrapped->source; });
-      run.guess.layout.columns.push_back(*read.wrapped);
+    if (!read.objection) return;
+    if (const auto& wrapped = read.objection->wrapped) {
+      std::erase_if(run.guess.layout.columns, [&](const CsvColumn& each) { return each.source == wrapped->source; });
+      run.guess.layout.columns.push_back(*wrapped);
       run.guess.guessed.push_back(
           fmt::format("{} wraps, and is put together by \"wraps_deg\"; its zero may be elsewhere "
                       "than the model's (\"offset\")",
-                      in_quotes(read.wrapped->source)));
-    } else if (read.objection) {
-      run.asked.emplace_back(read.objection->what());
+                      in_quotes(wrapped->source)));
+    } else {
+      run.asked.emplace_back(read.objection->error.what());
     }
   } catch (const InputError& error) {
     if (run.guess.asked.empty()) run.asked.emplace_back(error.what());

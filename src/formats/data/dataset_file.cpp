@@ -79,7 +79,7 @@ Dataset read_runs(const Node& node, const LayoutEntry& layout, const measurement
     Run& run = entry.file.run;
     used.merge(entry.file.used);
     warnings.emplace(run.name, std::move(entry.file.warnings));
-    if (entry.file.objection) throw InputError(*entry.file.objection);
+    if (entry.file.objection) throw InputError(entry.file.objection->error);
     if (entry.input_file) input_files.insert(*entry.input_file);
     if (run.kind == RunKind::still)
       data.still.push_back(std::move(run));

@@ -55,12 +55,6 @@ struct RunOfRows {
 [[nodiscard]] RunOfRows with_values_that_are_there(measurement::data::Run run, const text::CsvTable& table,
                                                    const RunColumns& columns);
 
-/// An objection, and the column of a layout that answers it.
-struct Objection {
-  text::InputError error;
-  std::optional<text::CsvColumn> wrapped{};
-};
-
 /// Why a run cannot be used though its file is well formed: an angle that no finger reaches, a reading that wraps at a
 /// half or a whole turn.
 [[nodiscard]] std::optional<Objection> objection_to(const measurement::data::Run& run, const text::CsvTable& table,

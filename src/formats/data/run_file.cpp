@@ -194,10 +194,7 @@ RunFile run_file(const RunEntry& entry, Read&& read) {
   file.run = std::move(rows.run);
   if (rows.warning) file.warnings.push_back({.run = entry.name, .text = rows.warning->text});
   if (entry.input_file) add_input_file(file, entry, columns, table.clock_origin());
-  if (auto objection = objection_to(file.run, table, columns, entry.layout.layout)) {
-    file.objection = std::move(objection->error);
-    file.wrapped = std::move(objection->wrapped);
-  }
+  file.objection = objection_to(file.run, table, columns, entry.layout.layout);
   return file;
 }
 

@@ -34,7 +34,7 @@ std::string run_refusal(std::string_view text, RunKind kind = RunKind::transient
 
 std::string objection(std::string_view text, RunKind kind = RunKind::transient) {
   const auto found = parse_run(text, "x.csv", {.name = "x.csv", .kind = kind}).objection;
-  return found ? found->what() : "none";
+  return found ? found->error.what() : "none";
 }
 
 TEST(RunFile, ReadsEveryMeasuredColumnOfATransient) {

@@ -45,13 +45,17 @@ struct RunEntry {
   measurement::data::InputUncertainty input_uncertainty{};
 };
 
+/// Why a run cannot be used though its file is well formed: an angle that no finger reaches. Not thrown by the reader,
+/// because a run that is held out is not to be looked at.
+struct Objection {
+  text::InputError error;
+  std::optional<text::CsvColumn> wrapped{};  ///< where a reading wraps: the column that says so
+};
+
 /// A run as its file gives it.
 struct RunFile {
   measurement::data::Run run;
-  /// Why the run cannot be used though its file is well formed: an angle that no finger reaches. Not thrown by the
-  /// reader, because a run that is held out is not to be looked at.
-  std::optional<text::InputError> objection{};
-  std::optional<text::CsvColumn> wrapped{};  ///< with the objection that a reading wraps: the column that says so
+  std::optional<Objection> objection{};
   std::vector<measurement::data::Warning> warnings{};  ///< how its rows were taken, where that is not plain
   std::set<std::string> used{};                        ///< what of its layouts its files have a use for
 };

@@ -11,8 +11,7 @@ using CrawlerNumber = BlockNumber<CrawlTask>;
 
 // As `crawl` has options.
 std::vector<CrawlerNumber> numbers() {
-  constexpr auto required = CrawlerNumber::Presence::required;
-  constexpr auto optional = CrawlerNumber::Presence::optional;
+  using enum CrawlerNumber::Kind;
   return {
       block_number<CrawlTask>(
           "friction_forwards", up_to(10.0), [](auto& task) -> auto& { return task.parts.friction.forwards; }, required),
@@ -37,14 +36,12 @@ std::vector<CrawlerNumber> numbers() {
       block_number<CrawlTask>(
           "payload_length_mm", up_to(1e3), [](auto& task) -> auto& { return task.parts.payload.length; }),
       block_number<CrawlTask>(
-          "step_ms", Rule::between(1e-3, 1.0), [](auto& task) -> auto& { return task.timing.step; }, optional,
-          CrawlerNumber::Kind::of_computation),
+          "step_ms", Rule::between(1e-3, 1.0), [](auto& task) -> auto& { return task.timing.step; }, of_computation),
       block_number<CrawlTask>(
           "settling_periods", Rule::between(0, 10000), [](auto& task) -> auto& { return task.timing.settling_periods; },
-          optional, CrawlerNumber::Kind::whole_step),
+          whole_step),
       block_number<CrawlTask>(
-          "periods", Rule::between(1, 10000), [](auto& task) -> auto& { return task.timing.periods; }, optional,
-          CrawlerNumber::Kind::whole_step)};
+          "periods", Rule::between(1, 10000), [](auto& task) -> auto& { return task.timing.periods; }, whole_step)};
 }
 
 void require_no_terms(const actuator::Design& design) {

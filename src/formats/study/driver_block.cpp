@@ -13,7 +13,7 @@ using DriverNumber = BlockNumber<DriverTask>;
 constexpr double usual_cell_switch = 0.05;  // ohm, as `drive` takes it
 
 std::vector<DriverNumber> driver_numbers() {
-  constexpr auto required = DriverNumber::Presence::required;
+  using enum DriverNumber::Kind;
   return {
       block_number<DriverTask>(
           "voltage_V", up_to(1e3), [](auto& task) -> auto& { return task.voltage; }, required),

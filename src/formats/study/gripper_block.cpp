@@ -13,8 +13,7 @@ using GripperNumber = BlockNumber<GripperTask>;
 
 // As `grip` has options. A height belongs to what has flat sides alone, a place beside the axis to two fingers.
 std::vector<GripperNumber> numbers_of(const GripperTask& base) {
-  constexpr auto required = GripperNumber::Presence::required;
-  constexpr auto optional = GripperNumber::Presence::optional;
+  using enum GripperNumber::Kind;
   std::vector<GripperNumber> out{
       block_number<GripperTask>(
           "mounting_angle_deg", Rule::between(-89.0, 89.0), [](auto& task) -> auto& { return task.mounting.angle; }),
@@ -38,8 +37,8 @@ std::vector<GripperNumber> numbers_of(const GripperTask& base) {
       block_number<GripperTask>(
           "acceleration_m_s2", Rule::between(0.0, 1e3), [](auto& task) -> auto& { return task.acceleration; }),
       block_number<GripperTask>(
-          "least_current_up_to_A", up_to(100.0), [](auto& task) -> auto& { return task.most_current; }, optional,
-          GripperNumber::Kind::of_computation)};
+          "least_current_up_to_A", up_to(100.0), [](auto& task) -> auto& { return task.most_current; },
+          of_computation)};
   if (base.object.has_flat_sides())
     out.push_back(block_number<GripperTask>(
         "height_mm", up_to(1e3), [](auto& task) -> auto& { return task.object.height; }, required));

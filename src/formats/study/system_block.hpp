@@ -25,22 +25,20 @@ namespace coilwright::formats {
 /// the study's variables share.
 template <class Task>
 struct BlockNumber {
-  std::string_view key;                        ///< in the block, its unit at its end
-  text::Rule rule;                             ///< in that unit
-  double (*get)(const Task&) = nullptr;        ///< SI
-  void (*set)(Task&, double) = nullptr;        ///< SI
-  enum class Presence { required, optional };  ///< in the block
-  Presence presence = Presence::optional;
-  enum class Kind { setting, whole_step, of_computation };
-  Kind kind = Kind::setting;  ///< what the others are: whole numbers, and how finely it is computed: no variables
+  std::string_view key;                  ///< in the block, its unit at its end
+  text::Rule rule;                       ///< in that unit
+  double (*get)(const Task&) = nullptr;  ///< SI
+  void (*set)(Task&, double) = nullptr;  ///< SI
+  /// Settings may vary, and required ones must be in the block. The others are whole numbers, and how finely it is
+  /// computed: no variables.
+  enum class Kind { setting, required, whole_step, of_computation };
+  Kind kind = Kind::setting;
 };
 
 /// A row of such a table. `number` is a lambda without captures that gives the number of a task, by reference.
 template <class Task, class Number>
-[[nodiscard]] BlockNumber<Task> block_number(
-    std::string_view key, const text::Rule& rule, Number,
-    typename BlockNumber<Task>::Presence presence = BlockNumber<Task>::Presence::optional,
-    typename BlockNumber<Task>::Kind kind = BlockNumber<Task>::Kind::setting) {
+[[nodiscard]] BlockNumber<Task> block_number(std::string_view key, const text::Rule& rule, Number,
+                                             typename BlockNumber<Task>::Kind kind = BlockNumber<Task>::Kind::setting) {
   return {.key = key,
           .rule = rule,
           .get = [](const Task& task) { return static_cast<double>(Number{}(task)); },
@@ -49,7 +47,6 @@ template <class Task, class Number>
                 auto& number = Number{}(task);
                 number = static_cast<std::remove_reference_t<decltype(number)>>(value);
               },
-          .presence = presence,
           .kind = kind};
 }
 
@@ -104,7 +101,7 @@ template <class Task>
 void read_numbers(text::ObjectReader& in, std::span<const BlockNumber<Task>> numbers, Task& task) {
   using Number = BlockNumber<Task>;
   for (const Number& number : numbers) {
-    const auto node = number.presence == Number::Presence::required ? in.at(number.key) : in.find(number.key);
+    const auto node = number.kind == Number::Kind::required ? in.at(number.key) : in.find(number.key);
     if (!node) continue;
     const double value =
         number.kind == Number::Kind::whole_step ? node->template integer<int>(number.rule) : node->number(number.rule);
@@ -118,7 +115,7 @@ std::vector<BlockVariable> variables_of(std::string_view block, std::span<const 
                                         const Task& task) {
   std::vector<BlockVariable> out;
   for (const BlockNumber<Task>& number : numbers)
-    if (number.kind == BlockNumber<Task>::Kind::setting)
+    if (number.kind == BlockNumber<Task>::Kind::setting || number.kind == BlockNumber<Task>::Kind::required)
       out.push_back({.name = variable_name(block, number.key),
                      .rule = number.rule,
                      .base = units::from_memory(number.get(task), number.key)});

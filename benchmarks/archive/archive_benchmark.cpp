@@ -59,7 +59,7 @@ class Run {
   void open(std::shared_ptr<const Reader> known) {
     study_.reset();
     study_ = std::make_unique<RecordedStudy>(
-        problem(), RecordedStudy::Sources{.writer = std::make_shared<Writer>(path(), designs, Writer::OnFailure{}),
+        problem(), RecordedStudy::Sources{.writer = std::make_shared<Writer>(path(), designs, Writer::OnRefusal{}),
                                           .known = std::move(known),
                                           .others = {}});
   }

@@ -19,6 +19,7 @@
 #include "archive/database.hpp"
 #include "archive/read_contents.hpp"
 #include "archive/schema.hpp"
+#include "coilwright/text/one_line.hpp"
 
 namespace coilwright::archive {
 namespace {
@@ -28,10 +29,12 @@ using namespace std::chrono_literals;
 
 // How long designs are gathered: a commit waits for the disk, some milliseconds.
 constexpr auto gathering = 100ms;
-// So many designs are written at once, and so many may wait. Some 600 bytes each.
+// So many designs are written at once, and so many may wait for it. Some 600 bytes each.
 constexpr std::size_t batch = 2048, most_waiting = 16384;
-// So many are tried at once where more did not fit.
+// So many are tried where more were refused: a disk that has no room for all of them may have it for some.
 constexpr std::size_t few = 16;
+// How soon a disk that refuses is tried again.
+constexpr auto pause = 1s;
 
 constexpr const char* now = "strftime('%Y-%m-%dT%H:%M:%SZ', 'now')";
 
@@ -126,8 +129,13 @@ std::size_t drop_damaged_designs(const fs::path& path) {
 // Everything of the database but the first and the last words is said on one thread.
 class Writer::Thread {
  public:
-  Thread(fs::path path, std::optional<std::size_t> max_evaluations, OnFailure on_failure)
-      : path_(std::move(path)), database_(open_to_write(path_)), on_failure_(std::move(on_failure)) {
+  Thread(fs::path path, std::optional<std::size_t> max_evaluations, OnRefusal on_refusal,
+         std::chrono::milliseconds patience)
+      : path_(std::move(path)),
+        database_(open_to_write(path_)),
+        on_refusal_(std::move(on_refusal)),
+        patience_(static_cast<int>(patience.count())) {
+    database_.setBusyTimeout(patience_);
     columns_ = reading(path_, [&] { return read_columns(database_); });
     writing(path_, text::OutputError::Stage::preparing, [&] {
       SQLite::Transaction transaction(database_);
@@ -156,8 +164,7 @@ class Writer::Thread {
 
   void add(Row row) {
     std::unique_lock lock(guard_);
-    changed_.wait(lock, [this] { return waiting_.size() < most_waiting || failure_; });
-    if (failure_) return;
+    changed_.wait(lock, [this] { return waiting_.size() < most_waiting || refusal_; });
     waiting_.push_back(std::move(row));
     if (waiting_.size() == 1 || waiting_.size() >= batch) changed_.notify_all();
   }
@@ -166,13 +173,16 @@ class Writer::Thread {
     std::unique_lock lock(guard_);
     hurry_ = true;
     changed_.notify_all();
-    changed_.wait(lock, [this] { return (waiting_.empty() && !busy_) || failure_; });
+    const std::size_t before = refusals_ + (writing_ > 0 ? 1 : 0);  // what is under way may have begun long ago
+    changed_.wait(lock, [&] { return (waiting_.empty() && writing_ == 0) || refusals_ > before; });
     hurry_ = false;
   }
 
   [[nodiscard]] std::optional<std::string> failure() const {
     const std::scoped_lock lock(guard_);
-    return failure_;
+    const std::size_t missing = waiting_.size() + writing_;
+    if (!refusal_ || missing == 0) return refusal_;
+    return fmt::format("{}; designs that are not recorded: {}", *refusal_, missing);
   }
 
   void number(const std::vector<std::pair<std::int64_t, std::size_t>>& numbers) {
@@ -214,41 +224,61 @@ class Writer::Thread {
   }
 
   void work(const std::stop_token& stop) {
-    while (true) {
+    for (bool refused = false, last = false; !(refused && last);) {
       std::vector<Row> rows;
+      bool all = false;
       {
         std::unique_lock lock(guard_);
         changed_.wait(lock, stop, [this] { return !waiting_.empty(); });
         if (waiting_.empty()) return;  // asked to stop, and all is done
-        changed_.wait_for(lock, stop, gathering, [this] { return waiting_.size() >= batch || hurry_; });
-        rows.assign(std::make_move_iterator(waiting_.begin()), std::make_move_iterator(waiting_.end()));
-        waiting_.clear();
-        busy_ = true;
+        changed_.wait_for(lock, stop, refused ? pause : gathering,
+                          [&] { return hurry_ || (!refused && waiting_.size() >= batch); });
+        const auto end =
+            waiting_.begin() + static_cast<std::ptrdiff_t>(std::min(refused ? few : batch, waiting_.size()));
+        rows.assign(std::make_move_iterator(waiting_.begin()), std::make_move_iterator(end));
+        waiting_.erase(waiting_.begin(), end);
+        all = waiting_.empty();
+        writing_ = rows.size();
         changed_.notify_all();
       }
-      attempt([&] { insert_what_fits(rows); });
-      const std::scoped_lock lock(guard_);
-      busy_ = false;
-      if (failure_) waiting_.clear();
-      changed_.notify_all();
+      last = stop.stop_requested();
+      std::optional<std::string> refusal;
+      try {
+        insert(rows);
+        rows.clear();
+      } catch (const SQLite::Exception& error) {
+        refusal = refusal_of(error);
+      }
+      refused = refusal.has_value();
+      database_.setBusyTimeout(refused ? patience_ / 10 : patience_);
+      settle(std::move(rows), refusal, all);
     }
   }
 
-  // A disk that has no room for all of them may have it for some.
-  void insert_what_fits(std::span<const Row> rows) {
-    try {
-      insert(rows);
-    } catch (const SQLite::Exception&) {
-      for (; !rows.empty(); rows = rows.subspan(std::min(few, rows.size())))
-        insert(rows.first(std::min(few, rows.size())));
+  // Keeps for later what is left, before what came meanwhile, and tells of the first refusal and of its end.
+  void settle(std::vector<Row> left, const std::optional<std::string>& refusal, bool all) {
+    std::unique_lock lock(guard_);
+    waiting_.insert(waiting_.begin(), std::make_move_iterator(left.begin()), std::make_move_iterator(left.end()));
+    std::string news;
+    if (refusal && !refusal_) news = *refusal + "; the run goes on, and what waits to be recorded is tried again";
+    if (!refusal && refusal_ && all)
+      news = fmt::format("{}: is written again, with all that waited", text::one_line(path_.string(), 600));
+    if (!news.empty()) refusal_ = refusal;
+    if (!news.empty() && on_refusal_) {
+      lock.unlock();
+      on_refusal_(news);
+      lock.lock();
     }
+    if (refusal) ++refusals_;
+    writing_ = 0;
+    changed_.notify_all();
   }
 
   void insert(std::span<const Row> rows) {
     SQLite::Transaction transaction(database_);
     std::int64_t id = last_id_;
     for (const Row& row : rows) {
-      insertion_->reset();
+      insertion_->tryReset();  // it has the error of an earlier attempt, which is known
       bind_row(*insertion_, row, ++id, run_);
       insertion_->exec();
     }
@@ -256,25 +286,26 @@ class Writer::Thread {
     last_id_ = id;
   }
 
-  // Does what writes, unless an earlier attempt failed.
+  [[nodiscard]] std::string refusal_of(const SQLite::Exception& error) const {
+    return text::OutputError(path_, error.what(), text::OutputError::Stage::writing).what();
+  }
+
+  // Does what writes, unless designs are missing.
   template <class Task>
   void attempt(const Task& task) {
     if (failure()) return;
     try {
       task();
     } catch (const SQLite::Exception& error) {
-      {
-        const std::scoped_lock lock(guard_);
-        failure_ = text::OutputError(path_, error.what(), text::OutputError::Stage::writing).what();
-        changed_.notify_all();
-      }
-      if (on_failure_) on_failure_(*failure_);
+      const std::scoped_lock lock(guard_);
+      refusal_ = refusal_of(error);
     }
   }
 
   fs::path path_;
   SQLite::Database database_;
-  OnFailure on_failure_;
+  OnRefusal on_refusal_;
+  int patience_;  // ms
   std::vector<Column> columns_;
   std::int64_t run_{};
   std::int64_t last_id_{};  // of the designs that are written
@@ -283,14 +314,16 @@ class Writer::Thread {
   mutable std::mutex guard_;
   std::condition_variable_any changed_;
   std::deque<Row> waiting_;
-  std::optional<std::string> failure_;
-  bool busy_{false};
+  std::optional<std::string> refusal_;  // what the disk said first, until it takes all again
+  std::size_t refusals_{};
+  std::size_t writing_{};  // so many are being written
   bool hurry_{false};
   std::jthread thread_;  // last: it uses the others
 };
 
-Writer::Writer(const fs::path& path, std::optional<std::size_t> max_evaluations, OnFailure on_failure)
-    : thread_(std::make_unique<Thread>(path, max_evaluations, std::move(on_failure))) {}
+Writer::Writer(const fs::path& path, std::optional<std::size_t> max_evaluations, OnRefusal on_refusal,
+               std::chrono::milliseconds patience)
+    : thread_(std::make_unique<Thread>(path, max_evaluations, std::move(on_refusal), patience)) {}
 Writer::~Writer() = default;
 
 void Writer::add(Row row) {

@@ -65,8 +65,8 @@ void require_same_numbers(const archive::Reader& found, const sizing::DesignProb
                             differing.front(), advice));
 }
 
-void say_failure(const std::string& failure) {
-  std::cerr << "coilwright: " + failure + "; the run goes on, and what follows is not recorded\n" << std::flush;
+void say(const std::string& line) {
+  std::cerr << "coilwright: " + line + '\n' << std::flush;
 }
 
 std::string progress_text(const archive::Counts& counts, const Pace& pace, const std::string& objective,
@@ -94,7 +94,7 @@ RunArchive::RunArchive(const StudyOptions& options, const StudyInput& input, con
   const archive::Contents asked = contents_of(problem.study(), input.provenance, input.builds_a_system);
   take_others(options, asked, problem);
   open(options, asked, problem);
-  writer_ = std::make_shared<archive::Writer>(path_, max_evaluations_, say_failure);
+  writer_ = std::make_shared<archive::Writer>(path_, max_evaluations_, say);
   sources_.writer = writer_;
   recorded_ = std::make_unique<archive::RecordedStudy>(problem, sources_);
 }
@@ -206,26 +206,28 @@ void RunArchive::write_results(const std::function<void()>& write) {
 
 void RunArchive::end(std::string_view stop_reason, const Interruption& interruption,
                      std::span<const sizing::Record> records) {
-  if (!records.empty()) write_results([&] { recorded_->number(path_, records); });
   writer_->flush();
+  unrecorded_ = writer_->failure();
+  if (!records.empty() && !unrecorded_) write_results([&] { recorded_->number(path_, records); });
   // Who took its name away is not told by the system to one that writes to it.
   if (std::error_code error; !fs::exists(path_, error))
     write_results([&] { throw text::OutputError(path_, "it is gone", text::OutputError::Stage::writing); });
   const archive::Counts counts = recorded_->counts();
-  // A run whose results are not written has not ended: --resume writes them.
-  if (!unwritten_)
+  // A run whose results or designs are not written has not ended: --resume writes them.
+  if (!unwritten_ && !unrecorded_)
     writer_->end({.stop_reason = std::string(stop_reason),
                   .evaluated = counts.evaluated,
                   .answered = counts.answered,
                   .reused = counts.reused});
-  if (interruption.requested() && !json_ && !unwritten_ && !writer_->failure())
+  if (!unrecorded_) unrecorded_ = writer_->failure();
+  if (interruption.requested() && !json_ && !unwritten_ && !unrecorded_)
     std::cerr << fmt::format("coilwright: interrupted: what was evaluated is in {}; --resume goes on from there\n",
                              printed(path_));
 }
 
 void RunArchive::require_written() const {
-  if (unwritten_) throw std::runtime_error(*unwritten_);
-  if (const std::optional<std::string> failure = writer_->failure()) throw std::runtime_error(*failure);
+  if (unwritten_ && unrecorded_) throw std::runtime_error(*unwritten_ + "; " + *unrecorded_);
+  if (unwritten_ || unrecorded_) throw std::runtime_error(unwritten_ ? *unwritten_ : *unrecorded_);
 }
 
 ProgressLine progress_line(const StudyOptions& options, const archive::RecordedStudy& recorded,

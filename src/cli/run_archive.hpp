@@ -63,7 +63,8 @@ class RunArchive {
   archive::RecordedStudy::Sources sources_;
   std::shared_ptr<archive::Writer> writer_;
   std::unique_ptr<archive::RecordedStudy> recorded_;
-  std::optional<std::string> unwritten_;  // what the disk said of the results, where it did not take them
+  std::optional<std::string> unwritten_;   // what the disk said of the results, where it did not take them
+  std::optional<std::string> unrecorded_;  // the same of designs, at the end
 };
 
 /// Tells on standard error how far a run is: designs done, rate, the best so far, time left. `all` is what the run will

@@ -4,11 +4,14 @@
 #include <sqlite3.h>
 
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <memory>
 #include <set>
 #include <string>
+#include <thread>
 
 #include "coilwright/archive/reader.hpp"
 #include "coilwright/archive/writer.hpp"
@@ -193,6 +196,43 @@ TEST_F(Archive, NumbersDesignsAndEndsRuns) {
   EXPECT_EQ(runs[1].stop_reason, "complete");
   EXPECT_EQ(runs[1].ended.size(), std::string("2026-01-31T12:00:00Z").size());
   EXPECT_EQ((std::vector{runs[1].evaluated, runs[1].answered, runs[1].reused}), (std::vector<std::size_t>{1, 2, 3}));
+}
+
+// A connection of another process that has locked the file until it is closed.
+std::unique_ptr<sqlite3, decltype(&sqlite3_close)> lock_of(const std::filesystem::path& path) {
+  sqlite3* other = nullptr;
+  EXPECT_EQ(sqlite3_open(path.c_str(), &other), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(other, "BEGIN IMMEDIATE", nullptr, nullptr, nullptr), SQLITE_OK);
+  return {other, &sqlite3_close};
+}
+
+TEST_F(Archive, WritesWhatWaitedForALockAndSaysSoTwice) {
+  create(path_, contents());
+  std::vector<std::string> told;
+  const auto tell = [&](const std::string& line) { told.push_back(line); };
+  auto writer = std::make_unique<Writer>(path_, 60, tell, std::chrono::milliseconds(50));
+  writer->add(design(1, 60, 1));
+  writer->flush();
+  auto lock = lock_of(path_);
+  for (const double gap : {2.0, 3.0}) {
+    writer->add(design(gap, 61, 1));
+    writer->flush();
+  }
+  const std::string refusal = path_.string() + ": cannot be written: database is locked";
+  EXPECT_EQ(writer->failure(), refusal + "; designs that are not recorded: 2");
+  writer->end({.stop_reason = "converged"});  // not with designs missing
+  lock.reset();
+  while (writer->failure()) std::this_thread::sleep_for(std::chrono::milliseconds(10));  // of itself
+  writer->flush();
+  EXPECT_THAT(told, ::testing::ElementsAre(refusal + "; the run goes on, and what waits to be recorded is tried again",
+                                           path_.string() + ": is written again, with all that waited"));
+  lock = lock_of(path_);
+  writer->add(design(4, 62, 1));
+  writer.reset();  // it ends though the lock stays
+  const Reader reader(path_);
+  ASSERT_EQ(reader.size(), 3U);
+  reader.each({}, [](const Row& row) { EXPECT_EQ(row.variables.front(), Value(static_cast<double>(row.id))); });
+  EXPECT_EQ(reader.runs().at(0).ended, "");
 }
 
 TEST_F(Archive, IsOneFileWhenItsWriterIsGone) {

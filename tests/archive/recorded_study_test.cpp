@@ -32,7 +32,7 @@ class Recorded : public ::testing::Test {
     else
       create(path, {.command = "pareto", .study = "small", .columns = columns_of(problem.study())});
     sources.others = std::move(others);
-    sources.writer = std::make_shared<Writer>(path, 40, Writer::OnFailure{});
+    sources.writer = std::make_shared<Writer>(path, 40, Writer::OnRefusal{});
     RecordedStudy recorded(problem, sources);
     work(recorded);
     sources.writer->flush();

@@ -338,8 +338,9 @@ class Disks(ArchivedStudy):
         self.assertEqual(result.stdout, whole)
         first, last = result.stderr.splitlines()
         self.assertRegex(first, r"^coilwright: disk/out/archive\.sqlite: cannot be written: .*; the run goes on, and what "
-                                r"follows is not recorded$")
-        self.assertRegex(last, r"^coilwright: disk/out/[a-z]+\.csv: cannot be written: No space left on device$")
+                                r"waits to be recorded is tried again$")
+        self.assertRegex(last, r"^coilwright: disk/out/[a-z]+\.csv: cannot be written: No space left on device; "
+                               r"disk/out/archive\.sqlite: cannot be written: .*; designs that are not recorded: \d+$")
         self.assertEqual([path.name for path in (folder / "out").iterdir() if not path.name.startswith(ARCHIVE)], [])
         recorded = len(designs_of(folder / "out"))
         self.assertGreater(recorded, 20)
@@ -347,6 +348,23 @@ class Disks(ArchivedStudy):
         self.assertEqual(self.run_well("pareto", "--resume", out="disk/out"), whole)
         self.assertEqual(results_of(folder / "out"), results_of(self.folder / "whole"))
         self.assertEqual(self.runs("disk/out")[1][1], recorded)
+
+    def test_a_disk_that_was_full_for_a_moment_loses_nothing(self):
+        write_study(self, objectives=FRONT, search={"max_evaluations": 1500, "seed": 5})
+        whole = self.run_well("pareto", out="whole")
+        folder = self.mounted("size=300k")
+        process = start("pareto", "study.json", "--out", "disk/out", "--quiet", cwd=self.folder)
+        self.addCleanup(end, process)
+        first = process.stderr.readline()
+        process.send_signal(signal.SIGSTOP)
+        subprocess.run(["mount", "-o", "remount,size=20m", folder], check=True)
+        process.send_signal(signal.SIGCONT)
+        output, errors = process.communicate(timeout=HANGS)
+        self.assertRegex(first, r"^coilwright: disk/out/archive\.sqlite: cannot be written: .* is tried again\n$")
+        self.assertEqual((process.returncode, output), (0, whole))
+        self.assertEqual(errors, "coilwright: disk/out/archive.sqlite: is written again, with all that waited\n")
+        self.assertEqual(results_of(folder / "out"), results_of(self.folder / "whole"))
+        self.assertEqual(len(designs_of(folder / "out")), len(designs_of(self.folder / "whole")))
 
     def test_a_sweep_on_a_full_disk_prints_its_best_designs(self):
         write_study(self, variables={**GRID, "gap_mm": {"lower": 0.7, "upper": 1.6, "step": 0.01}})
@@ -359,7 +377,8 @@ class Disks(ArchivedStudy):
         process = start("sweep", "study.json", "--out", "out", cwd=self.folder, preexec_fn=limit_files)
         output, errors = process.communicate(timeout=HANGS)
         self.assertEqual((process.returncode, output), (1, whole))
-        self.assertRegex(errors, r"coilwright: out/designs\.csv: cannot be written: File too large\n$")
+        self.assertRegex(errors, r"coilwright: out/designs\.csv: cannot be written: File too large(; "
+                                 r"out/archive\.sqlite: cannot be written: .*; designs that are not recorded: \d+)?\n$")
         self.run_well("sweep", "--resume")
         self.assertEqual(results_of(self.folder / "out"), results_of(self.folder / "whole"))
         self.assertGreater(self.runs()[1][1], 0)

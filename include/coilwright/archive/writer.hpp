@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -29,37 +30,39 @@ std::size_t drop_damaged_designs(const std::filesystem::path& path);
 /// and no evaluation waits for the disk: what add() has taken is on the disk at most 0.2 s later, whatever then becomes
 /// of the program.
 ///
-/// Where the disk refuses (it is full), the writer says so once, and drops that and all later designs; those before
-/// stay.
+/// Where the disk refuses (it is full, another process has locked the archive), designs wait in memory, about a
+/// kilobyte each, and are tried again every second, with flush() and at the end.
 class Writer {
  public:
-  /// Told once why nothing more is written, on the writer's thread; one line. May be empty.
-  using OnFailure = std::function<void(const std::string&)>;
+  /// Told that the disk refuses, and why, and then that all that waited is written; one line each, on the writer's
+  /// thread. May be empty.
+  using OnRefusal = std::function<void(const std::string&)>;
 
-  /// Opens an archive that is there and begins a run in it. `max_evaluations` is its budget, if it has one. Throws
-  /// InputError where the file is no archive, text::OutputError (preparing) where it cannot be written.
-  Writer(const std::filesystem::path& path, std::optional<std::size_t> max_evaluations, OnFailure on_failure);
-  /// Writes what it has taken. A run that was not ended stays so.
+  /// Opens an archive that is there and begins a run in it. `max_evaluations` is its budget, if it has one; a lock of
+  /// another process is waited for as long as `patience`, and after it was in vain a tenth of that. Throws InputError
+  /// where the file is no archive, text::OutputError (preparing) where it cannot be written.
+  Writer(const std::filesystem::path& path, std::optional<std::size_t> max_evaluations, OnRefusal on_refusal,
+         std::chrono::milliseconds patience = std::chrono::seconds(10));
+  /// Writes what it has taken, as far as the disk lets it. A run that was not ended stays so.
   ~Writer();
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
   /// Takes a design to be written; its id and run are the writer's to give. From any thread; returns at once, unless
-  /// some thousand designs wait.
+  /// some thousand designs wait for a disk that takes them.
   void add(Row row);
 
-  /// Returns when all that was taken is on the disk, or dropped. Then failure() is complete.
+  /// Returns when all that was taken is on the disk, or has been refused once more. Then failure() is complete.
   void flush();
 
   /// Writes the order of the search: of each pair the second is the number of the design with the first as its id. All
-  /// other designs lose theirs. After flush() only, and from one thread.
+  /// other designs lose theirs. After flush() only, and from one thread; nothing is done where there is a failure().
   void number(const std::vector<std::pair<std::int64_t, std::size_t>>& numbers);
 
-  /// Ends the run with its stop reason and counts; the id and the times are the writer's to give. After flush() only,
-  /// and from one thread.
+  /// Ends the run with its stop reason and counts; the id and the times are the writer's to give. As number().
   void end(const Run& run);
 
-  /// Why designs were dropped; nothing where none was.
+  /// Why designs are not on the disk, with their number; nothing where it took all it was asked to.
   [[nodiscard]] std::optional<std::string> failure() const;
 
  private:

@@ -58,7 +58,8 @@ std::string sql_of(const Query& query) {
     conditions += fmt::format("{} {} IS NOT NULL", conditions.empty() ? " WHERE" : " AND", column);
     order = fmt::format(" ORDER BY {}{}, id", column, query.descending ? " DESC" : "");
   }
-  return conditions + order + (query.most ? fmt::format(" LIMIT {}", *query.most) : "");
+  const std::string most = query.most ? std::to_string(*query.most) : "-1";
+  return fmt::format("{}{} LIMIT {} OFFSET {}", conditions, order, most, query.skip);
 }
 
 // A condition may hold a query without an end. SQLite takes some 1e8 steps a second.
@@ -206,6 +207,16 @@ std::size_t Reader::count(const std::string& where) const {
     count = static_cast<std::size_t>(found.getColumn(0).getInt64());
   });
   return count;
+}
+
+std::vector<Row> Reader::sample(std::size_t count, const std::string& where) const {
+  const std::size_t all = this->count(where), taken = std::min(count, all);
+  std::vector<Row> rows;
+  for (std::size_t k = 0; k < taken; ++k) {
+    const std::size_t before = taken > 1 ? k * (all - 1) / (taken - 1) : 0;
+    each({.where = where, .skip = before, .most = 1}, [&](const Row& row) { rows.push_back(row); });
+  }
+  return rows;
 }
 
 std::optional<Row> Reader::row(std::int64_t id) const {

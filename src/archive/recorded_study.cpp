@@ -155,19 +155,22 @@ void RecordedStudy::number(const std::filesystem::path& path, std::span<const si
   sources_.writer->number(numbers);
 }
 
-std::vector<std::int64_t> designs_with_other_numbers(const sizing::DesignProblem& problem, const Reader& archive,
-                                                     std::size_t count) {
+std::optional<sizing::Evaluation> evaluated_again(const sizing::DesignProblem& problem, const Contents& contents,
+                                                  const Row& row) {
+  const std::optional<std::vector<double>> point =
+      point_of(problem.study(), in_order_of(problem.study(), contents, row.variables));
+  if (!point) return std::nullopt;
+  return problem.assess(problem.evaluate(*point));
+}
+
+std::vector<std::int64_t> designs_with_other_numbers(const sizing::DesignProblem& problem, const Contents& contents,
+                                                     std::span<const Row> designs) {
   std::vector<std::int64_t> differing;
-  const std::size_t size = archive.size(), looked_at = std::min(count, size);
-  for (std::size_t k = 0; k < looked_at; ++k) {
-    const std::size_t before = looked_at > 1 ? k * (size - 1) / (looked_at - 1) : 0;
-    const auto id = static_cast<std::int64_t>(before + 1);
-    const std::optional<Row> row = archive.row(id);
-    if (!row) continue;
-    const std::optional<std::vector<double>> point =
-        point_of(problem.study(), in_order_of(problem.study(), archive.contents(), row->variables));
-    const std::optional<sizing::Evaluation> said = worked_out(problem, archive.contents(), row->evaluation);
-    if (point && said && problem.assess(problem.evaluate(*point)) != *said) differing.push_back(id);
+  for (const Row& row : designs) {
+    const std::optional<sizing::Evaluation> said = worked_out(problem, contents, row.evaluation);
+    if (!said) continue;
+    const std::optional<sizing::Evaluation> again = evaluated_again(problem, contents, row);
+    if (again && *again != *said) differing.push_back(row.id);
   }
   return differing;
 }

@@ -58,7 +58,8 @@ void require_same_numbers(const archive::Reader& found, const sizing::DesignProb
                   fmt::format("was written by an earlier coilwright, without checksums, so that no design is answered "
                               "from it: {}",
                               advice));
-  const std::vector<std::int64_t> differing = archive::designs_with_other_numbers(problem, found, samples);
+  const std::vector<std::int64_t> differing =
+      archive::designs_with_other_numbers(problem, found.contents(), found.sample(samples, "1"));
   if (differing.empty()) return;
   throw refusal(found.path(),
                 fmt::format("the design of row {} gives other numbers on this machine than were recorded: {}",
@@ -104,10 +105,11 @@ void RunArchive::open(const StudyOptions& options, const archive::Contents& aske
   std::error_code error;
   if (!options.force && fs::exists(fs::symlink_status(path_, error))) {
     auto found = std::make_shared<const archive::Reader>(path_);
-    require_same_run(*found, asked);
+    const std::string other_program = require_same_run(*found, asked, problem, options.resume);
     const std::size_t designs = found->size();
     if (designs > 0 && !options.resume && !is_finished(*found)) throw unfinished(*found, designs);
     require_same_numbers(*found, problem, "--force starts anew");
+    if (!other_program.empty()) say(other_program);
     if (designs > 0) sources_.known = std::move(found);
   } else {
     if (!options.force && holds_results(folder_.path()))
@@ -165,9 +167,25 @@ bool differ_in_budget_only(const archive::Contents& found, const archive::Conten
 
 }  // namespace
 
-void RunArchive::require_same_run(const archive::Reader& found, const archive::Contents& asked) const {
-  const std::vector<std::string> differing = archive::differences(found.contents(), asked);
-  if (differing.empty()) return;
+std::string RunArchive::require_same_run(const archive::Reader& found, const archive::Contents& asked,
+                                         const sizing::DesignProblem& problem, bool resume) const {
+  std::vector<std::string> differing = archive::differences(found.contents(), asked);
+  if (differing.empty()) return {};
+  archive::Contents of_its_program = asked;
+  of_its_program.program = found.contents().program;
+  if (found.has_checksums() && archive::differences(found.contents(), of_its_program).empty()) {
+    const std::vector<archive::Row> feasible = found.sample(samples, "status = 'ok'");
+    const std::vector<std::int64_t> other = archive::designs_with_other_numbers(problem, found.contents(), feasible);
+    if (feasible.size() == samples && other.empty()) {
+      const std::string same = fmt::format(
+          "holds a run of this study by coilwright {}, whose rows {}, {} and {} have the same numbers by {}",
+          archive::name_of(of_its_program.program), feasible[0].id, feasible[1].id, feasible[2].id,
+          archive::name_of(asked.program));
+      if (resume) return fmt::format("{}: {}: the run goes on with its designs", folder_.path().string(), same);
+      throw refusal(folder_.path(), same + ": --resume goes on with its designs, --force starts anew");
+    }
+    if (!other.empty()) differing.push_back(fmt::format("row {} has other numbers now", other.front()));
+  }
   if (max_evaluations_ && differ_in_budget_only(found.contents(), asked))
     throw refusal(asked.inputs.front().file,
                   fmt::format("has another max_evaluations than when the run in {} began, and is else the same: put it "

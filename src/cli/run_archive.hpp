@@ -23,8 +23,9 @@ namespace coilwright::cli {
 /// The archive of one run of size, sweep or pareto in its folder of results, from the first design to the last word.
 ///
 /// A folder is taken as it is where it holds nothing of a run, or a finished run of the very same question, whose
-/// designs then answer it. With --resume also where that run was not finished, or had another budget. With --force
-/// what it holds is replaced. Anything else is refused in one line, and nothing is changed.
+/// designs then answer it. With --resume also where that run was not finished, had another budget, or is of another
+/// program, and this one gives three of its feasible designs (the first, one in the middle, the last) to the last bit.
+/// With --force what it holds is replaced. Anything else is refused in one line, and nothing is changed.
 class RunArchive {
  public:
   /// `max_evaluations` is the budget of a search. Throws InputError and text::OutputError as above, and where the
@@ -52,7 +53,9 @@ class RunArchive {
   void open(const StudyOptions& options, const archive::Contents& asked, const sizing::DesignProblem& problem);
   [[nodiscard]] bool is_finished(const archive::Reader& found) const;
   [[nodiscard]] text::InputError unfinished(const archive::Reader& found, std::size_t designs) const;
-  void require_same_run(const archive::Reader& found, const archive::Contents& asked) const;
+  // What to say of another program whose designs are gone on with; else empty.
+  [[nodiscard]] std::string require_same_run(const archive::Reader& found, const archive::Contents& asked,
+                                             const sizing::DesignProblem& problem, bool resume) const;
   void take_others(const StudyOptions& options, const archive::Contents& asked, const sizing::DesignProblem& problem);
 
   text::OutputFolder& folder_;

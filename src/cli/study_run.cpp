@@ -46,10 +46,11 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
                   "pointer, of the study: /constraints/0/at_most=60; may be repeated")
       ->allow_extra_args(false);
   add_threads_option(command, options.threads, "Number of designs evaluated at the same time");
-  CLI::Option* resume = command.add_flag("--resume", options.resume,
-                                         "Go on with the run in the folder: what it recorded is not evaluated again, "
-                                         "and the results are those of a run that "
-                                         "was never interrupted. Where nothing is recorded, begin");
+  CLI::Option* resume = command.add_flag(
+      "--resume", options.resume,
+      "Go on with the run in the folder: what it recorded is not evaluated again, and the results are those of a run "
+      "that was never interrupted. Where nothing is recorded, begin. What another version recorded is taken where this "
+      "one gives three of its designs the same numbers");
   resume->disable_flag_override();
   add_flag(command, "--force", options.force, "Replace the results and the archive that the folder holds")
       ->excludes(resume);

@@ -162,6 +162,8 @@ TEST_F(Archive, SelectsAndOrders) {
               ::testing::ElementsAre(0.9, 1.1, 0.7));
   EXPECT_THAT(gaps({.order_by = "grip N", .descending = true}), ::testing::ElementsAre(1.1, 0.7));
   EXPECT_THAT(gaps({.order_by = "mass_g", .most = 1}), ::testing::ElementsAre(0.7));
+  EXPECT_EQ(reader.sample(2, "1").back().id, 3);
+  EXPECT_EQ(reader.sample(5, "mass_g > 61").size(), 2U);
   EXPECT_EQ(error_text([&] { gaps({.where = "mas_g > 61"}); }), "no such column: mas_g");
   EXPECT_EQ(error_text([&] { gaps({.order_by = "mas_g"}); }), "no such column: mas_g");
   EXPECT_THAT(error_text([&] { gaps({.where = "mass_g >"}); }), HasSubstr("syntax error"));

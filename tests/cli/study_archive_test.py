@@ -138,14 +138,27 @@ class Folders(ArchivedStudy):
         result = run("size", "study.json", "--out", "out", cwd=self.folder)
         self.assertIn("(command pareto, not size; study.json with another content", result.stderr)
 
-    def test_another_program_s_numbers_are_refused(self):
-        write_study(self, search={"max_evaluations": 20})
-        self.run_well("size")
+    def test_another_program_s_designs_are_gone_on_with_where_three_feasible_ones_are_the_same(self):
+        write_study(self, variables=GRID)
+        answer = self.run_well("sweep")
         self.change("UPDATE study SET version = '0.0.9', commit_hash = 'abcdef0123', build_sha256 = ''")
-        result = run("size", "study.json", "--out", "out", "--resume", cwd=self.folder)
-        self.assertEqual(result.returncode, 2)
+        with contextlib.closing(sqlite3.connect(self.folder / "out" / ARCHIVE)) as database:
+            rows = [row for (row,) in database.execute("SELECT id FROM designs WHERE status = 'ok' ORDER BY id")]
+        first, middle, last = rows[0], rows[(len(rows) - 1) // 2], rows[-1]
+        same = (rf"^coilwright: out: holds a run of this study by coilwright 0\.0\.9 \(commit abcdef0\), whose rows {first}, "
+                rf"{middle} and {last} have the same numbers by 0\.1\.0 \(commit .*\): ")
+        result = run("sweep", "study.json", "--out", "out", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertRegex(result.stderr, same + r"--resume goes on with its designs, --force starts anew\n$")
+        result = run("sweep", "study.json", "--out", "out", "--resume", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stdout), (0, answer))
+        self.assertRegex(result.stderr, same + r"the run goes on with its designs\n$")
+        self.assertEqual(self.runs()[-1][0], 0)
+        self.change(f"UPDATE designs SET mass_g = mass_g + 1e-9 WHERE id = {middle}")
+        result = run("sweep", "study.json", "--out", "out", "--resume", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
         self.assertRegex(result.stderr, r"\(coilwright 0\.0\.9 \(commit abcdef0\), not 0\.1\.0 \(commit .*\), whose numbers "
-                                        r"may differ\): --force replaces it")
+                                        rf"may differ; row {middle} has other numbers now\): --force replaces it")
 
     def test_numbers_that_this_machine_does_not_give_are_refused(self):
         write_study(self, search={"max_evaluations": 20})

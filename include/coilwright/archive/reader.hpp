@@ -22,6 +22,7 @@ struct Query {
   std::string where{};
   std::string order_by{};             ///< a column, of which a design needs a value; empty: the order of recording
   bool descending{false};             ///< the largest first
+  std::size_t skip{0};                ///< without so many of the first
   std::optional<std::size_t> most{};  ///< so many designs at most
 };
 
@@ -51,6 +52,10 @@ class Reader {
 
   /// Number of designs that hold a condition in SQL. Throws std::invalid_argument as each().
   [[nodiscard]] std::size_t count(const std::string& where) const;
+
+  /// `count` of the designs that hold a condition in SQL, from the first to the last in the order of recording; all
+  /// where there are fewer. Throws std::invalid_argument as each().
+  [[nodiscard]] std::vector<Row> sample(std::size_t count, const std::string& where) const;
 
   /// The design of that id, if there is one.
   [[nodiscard]] std::optional<Row> row(std::int64_t id) const;

@@ -72,11 +72,15 @@ class RecordedStudy {
   Counts counts_;
 };
 
-/// Of `count` designs of an archive, spread over the order of its recording, the ids of those whose evaluation by
-/// `problem` has other bits than what the archive says: none where it was written by this program on such a machine.
-/// Its contents have no `differences_for_reuse` from those of the problem; designs that are none of the problem's are
-/// passed over.
+/// The evaluation anew of a design of an archive of these contents; nothing where it is none of the problem's.
+[[nodiscard]] std::optional<sizing::Evaluation> evaluated_again(const sizing::DesignProblem& problem,
+                                                                const Contents& contents, const Row& row);
+
+/// Of these designs of an archive the ids of those whose evaluation by `problem` has other bits than what the archive
+/// says: none where it was written by this program on such a machine. Its contents have no `differences_for_reuse` from
+/// those of the problem, but for the program; designs that are none of the problem's are passed over.
 [[nodiscard]] std::vector<std::int64_t> designs_with_other_numbers(const sizing::DesignProblem& problem,
-                                                                   const Reader& archive, std::size_t count);
+                                                                   const Contents& contents,
+                                                                   std::span<const Row> designs);
 
 }  // namespace coilwright::archive

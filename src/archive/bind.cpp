@@ -1,5 +1,6 @@
 #include "archive/bind.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "archive/schema.hpp"
@@ -48,6 +49,16 @@ void bind_row(SQLite::Statement& insertion, const Row& row, std::int64_t id, std
     ++place;
     if (value) insertion.bind(place, *value);
   }
+}
+
+ColumnCounts counts_of(const std::vector<Column>& columns) {
+  const auto count = [&](Role role) {
+    return static_cast<std::size_t>(std::ranges::count(columns, role, &Column::role));
+  };
+  return {.variables = count(Role::variable),
+          .objectives = count(Role::objective),
+          .constraints = count(Role::constraint),
+          .quantities = count(Role::quantity)};
 }
 
 Row row_of(const SQLite::Statement& selected, const ColumnCounts& counts) {

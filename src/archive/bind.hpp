@@ -7,7 +7,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "coilwright/archive/contents.hpp"
 #include "coilwright/archive/row.hpp"
 
 namespace coilwright::archive {
@@ -60,6 +62,9 @@ void bind_row(SQLite::Statement& insertion, const Row& row, std::int64_t id, std
 struct ColumnCounts {
   std::size_t variables{}, objectives{}, constraints{}, quantities{};
 };
+
+/// Of these columns.
+[[nodiscard]] ColumnCounts counts_of(const std::vector<Column>& columns);
 
 /// A design from a row of `selection_of` so many columns.
 [[nodiscard]] Row row_of(const SQLite::Statement& selected, const ColumnCounts& counts);

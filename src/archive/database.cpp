@@ -41,8 +41,9 @@ text::InputError error_about(const fs::path& path, const std::string& rule) {
 text::InputError damaged(const fs::path& path, const Damage& damage) {
   return error_about(
       path,
-      fmt::format("is damaged ({}): {}the command that made it makes it anew with --force", damage.text,
-                  damage.only_in_designs ? "coilwright archive check DIR --repair takes such designs out, or " : ""));
+      fmt::format(
+          "is damaged ({}): {}the command that made it makes it anew with --force", damage.text,
+          damage.only_in_designs ? "coilwright archive check DIR --repair evaluates such designs anew, or " : ""));
 }
 
 // Before anything is asked of a file that may be anything.

@@ -20,16 +20,6 @@
 namespace coilwright::archive {
 namespace {
 
-ColumnCounts counts_of(const std::vector<Column>& columns) {
-  const auto count = [&](Role role) {
-    return static_cast<std::size_t>(std::ranges::count(columns, role, &Column::role));
-  };
-  return {.variables = count(Role::variable),
-          .objectives = count(Role::objective),
-          .constraints = count(Role::constraint),
-          .quantities = count(Role::quantity)};
-}
-
 std::size_t hash_of(std::span<const Value> values) {
   std::uint64_t hash = 0x9E3779B97F4A7C15ULL;
   for (const Value& value : values) {

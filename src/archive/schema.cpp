@@ -29,6 +29,12 @@ CREATE TABLE designs (
   id INTEGER PRIMARY KEY, run INTEGER NOT NULL, number INTEGER, status TEXT NOT NULL, failure TEXT,
   infeasibility, has_quantities INTEGER NOT NULL, took_s, ended_unix_s, origin TEXT)";
 
+std::vector<std::string> places_of(const std::vector<std::string>& names) {
+  std::vector<std::string> places;
+  for (std::size_t i = 1; i <= names.size(); ++i) places.push_back(fmt::format("?{}", i));
+  return places;
+}
+
 }  // namespace
 
 std::string sql_name(std::string_view name) {
@@ -50,10 +56,14 @@ std::vector<std::string> design_columns(const std::vector<Column>& columns) {
   return names;
 }
 
+std::string mending_of(const std::vector<Column>& columns) {
+  const std::vector<std::string> names = design_columns(columns), places = places_of(names);
+  return fmt::format("UPDATE designs SET ({}) = ({}) WHERE id = ?1 AND checksum = {}", fmt::join(names, ", "),
+                     fmt::join(places, ", "), checksum_sql(places));
+}
+
 std::string insertion_of(const std::vector<Column>& columns) {
-  const std::vector<std::string> names = design_columns(columns);
-  std::vector<std::string> places;
-  for (std::size_t i = 1; i <= names.size(); ++i) places.push_back(fmt::format("?{}", i));
+  const std::vector<std::string> names = design_columns(columns), places = places_of(names);
   return fmt::format("INSERT INTO designs ({}, checksum) VALUES ({}, {})", fmt::join(names, ", "),
                      fmt::join(places, ", "), checksum_sql(places));
 }

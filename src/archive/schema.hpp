@@ -39,6 +39,10 @@ inline constexpr std::string_view table_names = "'study', 'inputs', 'changes', '
 /// of what is bound to them.
 [[nodiscard]] std::string insertion_of(const std::vector<Column>& columns);
 
+/// "UPDATE designs SET (...) = (...)" of the row of the id with the same places, where its checksum is that of what is
+/// bound to them.
+[[nodiscard]] std::string mending_of(const std::vector<Column>& columns);
+
 /// "SELECT id, run, ... FROM designs" with every column but the checksum, in the order of the table.
 [[nodiscard]] std::string selection_of(const std::vector<Column>& columns);
 

@@ -109,21 +109,35 @@ void create(const fs::path& path, const Contents& contents) {
   }
 }
 
-std::size_t drop_damaged_designs(const fs::path& path) {
-  std::size_t dropped = 0;
-  {
-    SQLite::Database database = open_to_write(path);
-    std::vector<SealedTable> tables = reading(path, [&] { return sealed_tables(read_columns(database)); });
-    const SealedTable designs = tables.back();
-    tables.pop_back();
-    require_whole(path, database, tables);
-    writing(path, text::OutputError::Stage::preparing, [&] {
-      dropped = static_cast<std::size_t>(database.exec(
-          fmt::format("DELETE FROM {} WHERE checksum IS NOT {}", designs.name, checksum_sql(designs.columns))));
-      database.tryExec("PRAGMA journal_mode = DELETE");
-    });
-  }
-  return dropped;
+Repair repair_designs(const fs::path& path, const EvaluateAgain& again) {
+  SQLite::Database database = open_to_write(path);
+  const Contents contents = reading(path, [&] { return read_contents(database); });
+  std::vector<SealedTable> tables = sealed_tables(contents.columns);
+  const std::string checksum = checksum_sql(tables.back().columns);
+  tables.pop_back();
+  require_whole(path, database, tables);
+  std::vector<Row> damaged;
+  reading(path, [&] {
+    SQLite::Statement found(
+        database, fmt::format("{} WHERE checksum IS NOT {} ORDER BY id", selection_of(contents.columns), checksum));
+    while (found.executeStep()) damaged.push_back(row_of(found, counts_of(contents.columns)));
+  });
+  for (Row& row : damaged)
+    if (std::optional<sizing::Evaluation> evaluation = again(contents, row)) row.evaluation = *std::move(evaluation);
+  Repair repair;
+  writing(path, text::OutputError::Stage::preparing, [&] {
+    SQLite::Transaction transaction(database);
+    SQLite::Statement mending(database, mending_of(contents.columns));
+    for (const Row& row : damaged) {
+      mending.reset();
+      bind_row(mending, row, row.id, row.run);
+      (mending.exec() > 0 ? repair.mended : repair.dropped).push_back(row.id);
+    }
+    database.exec("DELETE FROM designs WHERE checksum IS NOT " + checksum);
+    transaction.commit();
+  });
+  database.tryExec("PRAGMA journal_mode = DELETE");
+  return repair;
 }
 
 // Everything of the database but the first and the last words is said on one thread.

@@ -275,7 +275,7 @@ TEST_F(Archive, RefusesAViewATriggerAndWhateverElseIsNotItsOwn) {
                   other + "\"")
         << sql;
     EXPECT_THROW(Writer(path_, 60, {}), text::InputError) << sql;
-    EXPECT_THROW(drop_damaged_designs(path_), text::InputError) << sql;
+    EXPECT_THROW((void)repair_designs(path_, {}), text::InputError) << sql;
   }
 }
 
@@ -293,24 +293,34 @@ TEST_F(Archive, EndsAConditionThatHasNoEnd) {
   EXPECT_EQ(reader.count("mass_g < 70"), 1U);  // the next one has all its steps again
 }
 
-// Another value of any column, also one that SQLite has no reason to doubt.
-TEST_F(Archive, KnowsAChangedValueAndTakesTheDesignOut) {
+// Another value of any column, also one that SQLite has no reason to doubt. What an evaluation gives is mended by one.
+TEST_F(Archive, KnowsAChangedValueAndMendsTheDesignOrTakesItOut) {
+  using Ids = std::vector<std::int64_t>;
   const std::string advice = "the command that made it makes it anew with --force";
-  for (const char* change : {"gap_mm = 0.8", "configuration = 'A'", "objective_1 = 60.00000000000001", "mass_g = -60.0",
-                             "\"grip N\" = NULL", "status = 'failed'", "run = 2", "number = 7", "origin = ''",
-                             "took_s = 0.25", "checksum = checksum + 1", "id = 9"}) {
+  const auto again = [](const Contents& found, const Row&) {
+    EXPECT_EQ(found, contents());
+    return std::optional(design(0.9, 61, 1.25).evaluation);
+  };
+  for (const char* change : {"objective_1 = 61.00000000000001", "mass_g = -60.0", "\"grip N\" = NULL",
+                             "failure = 'none'", "status = 'failed'", "gap_mm = 0.8", "configuration = 'A'", "run = 2",
+                             "number = 7", "took_s = 0.25", "checksum = checksum + 1", "id = 9"}) {
+    const bool is_mended = std::set<char>{'o', 'm', '"', 'f', 's'}.contains(change[0]);
     write({design(0.7, 60, 1.5), design(0.9, 61, 1.25)});
     EXPECT_EQ(refusal(), "") << change;
     execute(std::string("UPDATE designs SET ") + change + " WHERE id = 2");
     const std::string row = std::string(change) == "id = 9" ? "9" : "2";
     EXPECT_EQ(refusal(), "is damaged (row " + row +
-                             " of designs is not what was written): coilwright archive check DIR --repair takes such "
-                             "designs out, or " +
+                             " of designs is not what was written): coilwright archive check DIR --repair evaluates "
+                             "such designs anew, or " +
                              advice)
         << change;
-    EXPECT_EQ(drop_damaged_designs(path_), 1U) << change;
+    const Repair repair = repair_designs(path_, again);
+    EXPECT_EQ(repair.mended, is_mended ? Ids{2} : Ids{}) << change;
+    EXPECT_EQ(repair.dropped, is_mended ? Ids{} : Ids{std::stoll(row)}) << change;
     EXPECT_EQ(refusal(), "") << change;
-    EXPECT_EQ(Reader(path_).size(), 1U) << change;
+    EXPECT_EQ(Reader(path_).size(), is_mended ? 2U : 1U) << change;
+    execute("UPDATE designs SET mass_g = 0 WHERE id = 1");
+    EXPECT_EQ(repair_designs(path_, again).dropped, Ids{1}) << "what gives other numbers mends nothing";
   }
   for (const char* change : {"study SET seed = 8", "inputs SET content = 'x'", "changes SET change = 'gap_mm=2'",
                              "columns SET meaning = 'm'", "runs SET evaluated = 7"}) {
@@ -318,7 +328,7 @@ TEST_F(Archive, KnowsAChangedValueAndTakesTheDesignOut) {
     execute(std::string("UPDATE ") + change);
     EXPECT_THAT(refusal(), ::testing::AllOf(HasSubstr("is not what was written"), ::testing::EndsWith("): " + advice)))
         << change;
-    EXPECT_THROW(drop_damaged_designs(path_), text::InputError) << change;
+    EXPECT_THROW((void)repair_designs(path_, again), text::InputError) << change;
   }
 }
 

@@ -187,24 +187,26 @@ class Folders(ArchivedStudy):
             self.assertEqual(results_of(self.folder / "out"), results, place)
         self.assertGreater(refused, 5)
 
-    def test_damaged_designs_are_taken_out_and_evaluated_anew(self):
+    def test_damaged_designs_are_evaluated_anew_and_mended_or_taken_out(self):
         write_study(self, variables=GRID)
         answer = self.run_well("sweep")
         results = results_of(self.folder / "out")
         with contextlib.closing(sqlite3.connect(self.folder / "out" / ARCHIVE)) as database, database:
-            database.execute("UPDATE designs SET mass_g = mass_g + 1e-9 WHERE id IN (3, 5)")
-        damaged = ("out/archive.sqlite: is damaged (row 3 of designs is not what was written, nor are 1 more): coilwright "
-                   "archive check DIR --repair takes such designs out, or the command that made it makes it anew with "
-                   "--force")
+            database.execute("UPDATE designs SET mass_g = mass_g + 1e-9 WHERE id IN (3, 8)")
+            database.execute("UPDATE designs SET gap_mm = gap_mm + 0.2 WHERE id = 5")
+        damaged = ("out/archive.sqlite: is damaged (row 3 of designs is not what was written, nor are 2 more): coilwright "
+                   "archive check DIR --repair evaluates such designs anew, or the command that made it makes it anew "
+                   "with --force")
         for command in (["sweep", "study.json", "--out", "out", "--resume"], ["archive", "check", "out"],
                         ["archive", "top", "out", "--most", "mass_g"]):
             self.assert_refused(command, damaged)
         repaired = run("archive", "check", "out", "--repair", cwd=self.folder)
         self.assertEqual((repaired.returncode, repaired.stderr), (0, ""))
-        self.assertIn("2 damaged designs were taken out; --resume evaluates them anew.", repaired.stdout)
+        self.assertEqual(repaired.stdout.splitlines()[1], "Damaged designs evaluated anew: 2 are as they were written again, 1 "
+                                                          "were taken out (rows 5; --resume evaluates them).")
         self.assertEqual(self.run_well("sweep", "--resume"), answer)
         self.assertEqual(results_of(self.folder / "out"), results)
-        self.assertEqual(self.runs()[-1][0], 2)
+        self.assertEqual(self.runs()[-1][0], 1)
 
     def test_a_budget_that_was_changed_in_the_study_is_told_by_its_option(self):
         write_study(self, objectives=FRONT, search={"max_evaluations": 40, "seed": 5})

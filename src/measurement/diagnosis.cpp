@@ -248,6 +248,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   out.before = found.before().whiteness;
   out.after = found.after().whiteness;
   out.compared_hypotheses = std::move(found.compared);
+  out.odds = std::move(found.posterior);
   out.hinted = std::move(hinted);
   out.indistinguishable = found.indistinguishable;
   set_declared_numbers(out, declared, estimates, idle_after);

@@ -22,6 +22,7 @@ constexpr std::size_t most_candidates = 5;
 constexpr double near_residual = 0.02;  // of the rms residual: models are not known better
 constexpr std::size_t most_near = 3;
 constexpr std::size_t most_hinted = 3;
+constexpr double least_odds = 0.01;
 
 using Compared = std::vector<compare::ComparedHypothesis>;
 
@@ -69,6 +70,31 @@ auto reported_among(const std::vector<compare::ComparedHypothesis>& compared, co
   return std::ranges::find_if(compared, [&](const compare::ComparedHypothesis& each) {
     return formats::is_reported(diagnosis, each.effects) && each.evidence;
   });
+}
+
+std::string probability_text(double probability) {
+  if (probability > 0.999) return "above 0.999";
+  if (probability < 0.001) return "below 0.001";
+  return fmt::format("{:.3f}", probability);
+}
+
+// The leading hypotheses, the reported one and that of no effect.
+std::string odds_text(const Diagnosis& diagnosis) {
+  const std::vector<compare::WeighedHypothesis>& all = diagnosis.odds.hypotheses;
+  if (all.empty()) return {};
+  TextTable table;
+  std::size_t count = 0;
+  for (const compare::WeighedHypothesis& each : all) {
+    const bool is_reported = formats::is_reported(diagnosis, each.effects);
+    const bool leads = count < most_candidates && each.probability >= least_odds;
+    if (!leads && !is_reported && !each.effects.empty()) continue;
+    ++count;
+    table.row({hypothesis(diagnosis.compared_hypotheses, {.effects = each.effects}), probability_text(each.probability),
+               is_reported ? "reported" : ""});
+  }
+  return fmt::format("  How probable, given that one of those that were fitted is true{}\n",
+                     diagnosis.after.is_white() ? "" : "; but none of them leaves noise") +
+         table.text(4, {left, right, left});
 }
 
 // Those that these data refute by little, and how each of them shows itself at the rig.
@@ -156,12 +182,13 @@ std::string compared_text(const Diagnosis& diagnosis) {
 }
 
 std::string rivals_text(const Diagnosis& diagnosis) {
-  std::string text;
+  std::string text = odds_text(diagnosis);
   for (const auto& set : diagnosis.indistinguishable)
     text += fmt::format("  These data cannot tell apart: {}. The simplest of them is reported.\n",
                         fmt::join(ids(set), ", "));
-  text += near_rivals_text(diagnosis);
-  if (!diagnosis.effects.empty() && text.empty())
+  const std::string near = near_rivals_text(diagnosis);
+  text += near;
+  if (!diagnosis.effects.empty() && diagnosis.indistinguishable.empty() && near.empty())
     text += fmt::format("  Nothing else that was tried explains these data as well{}.\n",
                         gains_with_more(diagnosis) ? " with as few effects" : "");
   return text + hinted_text(diagnosis);

@@ -13,6 +13,7 @@
 #include "coilwright/measurement/compare/evidence.hpp"
 #include "coilwright/measurement/compare/hinted_effect.hpp"
 #include "coilwright/measurement/compare/number_off.hpp"
+#include "coilwright/measurement/compare/posterior.hpp"
 #include "coilwright/measurement/correction/nameless_correction.hpp"
 #include "coilwright/measurement/data/dataset.hpp"
 #include "coilwright/measurement/error_comparison.hpp"
@@ -67,6 +68,7 @@ struct Phase {
 struct Diagnosis {
   Verdict verdict{};
   std::vector<AddedEffect> effects{};  ///< in the order in which they were added
+  compare::Posterior odds{};           ///< of the hypotheses that were fitted; empty where it was interrupted
   /// Effects beside those that the data hint at, and whose absence they do not show: intervals have what they would do.
   std::vector<compare::HintedEffect> hinted{};
   /// Sets of effects that these data cannot distinguish.

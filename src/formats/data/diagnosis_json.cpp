@@ -172,6 +172,21 @@ Json candidate_json(const compare::ComparedHypothesis& candidate) {
                        {"remark", text_or_null(candidate.remark)}});
 }
 
+// Of each effect in a hypothesis that was fitted, the most probable first.
+Json odds_json(const Diagnosis& diagnosis) {
+  const compare::Posterior& odds = diagnosis.odds;
+  if (odds.hypotheses.empty()) return nullptr;
+  Json effects = Json::object();
+  for (const auto& [id, probability] : odds.effects()) effects.set(std::string(id), probability);
+  return Json::object({{"no_effect", odds.probability_of(std::vector<const actuator::EffectKind*>())},
+                       {"effects", std::move(effects)},
+                       {"hypotheses", Json::list(odds.hypotheses, [](const compare::WeighedHypothesis& each) {
+                          return Json::object({{"effects", ids_json(each.effects)},
+                                               {"probability", each.probability},
+                                               {"log_evidence", number_or_null(each.log_evidence)}});
+                        })}});
+}
+
 Json adequacy_json(const whiteness::WhitenessResult& adequacy) {
   return Json::object({{"level", number_or_null(adequacy.level)},
                        {"structure", number_or_null(adequacy.structure)},
@@ -261,6 +276,7 @@ Json to_json(const DiagnosisReport& report) {
   out.set("no_correction", text_or_null(diagnosis.correction.reason));
   out.set("residual", residual_json(diagnosis))
       .set("candidates", Json::list(compared_as_reported(diagnosis), candidate_json));
+  out.set("odds", odds_json(diagnosis));
   out.set("noise", Json::list(diagnosis.noise, noise_json))
       .set("warnings", Json::list(diagnosis.warnings, warning_json));
   out.set("unanswered_runs", Json::list(diagnosis.unanswered_runs, warning_json));

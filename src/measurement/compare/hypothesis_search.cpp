@@ -18,6 +18,7 @@
 #include "measurement/compare/linear_screening.hpp"
 #include "measurement/compare/model_error.hpp"
 #include "measurement/compare/other_optima.hpp"
+#include "measurement/compare/posterior.hpp"
 #include "measurement/compare/recalibration.hpp"
 #include "measurement/compare/rig_scale.hpp"
 #include "measurement/compare/search_effort.hpp"
@@ -107,9 +108,11 @@ class HypothesisSearch {
       const std::vector<FittedHypothesis> others = std::exchange(all, back_on_all_windows(best));
       on_some_only = subsample_->compared(*on_some, others, overdispersion_);
     }
+    Posterior posterior = posterior_of(before, all, kinds_, scale_, overdispersion_);
     Selection selection = select_hypothesis(runs_, before, std::move(all), overdispersion_);
     Attribution out{.steps = {before}, .overdispersion = overdispersion_};
     std::ranges::move(selection.steps, std::back_inserter(out.steps));
+    out.posterior = std::move(posterior);
     out.kinds = kinds_;
     out.scale = scale_;
     out.rivals = std::move(selection.rivals);

@@ -8,6 +8,12 @@
 
 namespace attribution::laboratory {
 
+/// What a diagnosis says of an effect, and whether it is so.
+struct StatedOdds {
+  double probability{};
+  bool is_there{};
+};
+
 /// A diagnosis of a set of the laboratory, compared with its answer: what the figures are counted from.
 struct Outcome {
   int number{};
@@ -28,6 +34,7 @@ struct Outcome {
   bool found = false;            ///< every hidden effect is reported, or in a set reported with one that is
   bool invented = false;         ///< an effect is reported that stands for none that is hidden
   bool explained_wrong = false;  ///< `explained`, by other effects than the hidden ones
+  std::vector<StatedOdds> odds{};  ///< of every effect with a probability of 1 % or more
   Count effect_intervals{};
   Count number_intervals{};                  ///< stiffness, damping and declared numbers
   std::optional<double> after_over_noise{};  ///< held-out rms error over the true noise

@@ -28,6 +28,18 @@ Count count_from(const Json& value) {
   return {.hits = value.at(0), .of = value.at(1)};
 }
 
+Json odds_json(const std::vector<StatedOdds>& odds) {
+  Json out = Json::array();
+  for (const StatedOdds& each : odds) out.push_back({each.probability, each.is_there});
+  return out;
+}
+
+std::vector<StatedOdds> odds_from(const Json& value) {
+  std::vector<StatedOdds> out;
+  for (const Json& each : value) out.push_back({.probability = each.at(0), .is_there = each.at(1)});
+  return out;
+}
+
 }  // namespace
 
 void write_outcome(const Outcome& outcome, const std::filesystem::path& file) {
@@ -47,6 +59,7 @@ void write_outcome(const Outcome& outcome, const std::filesystem::path& file) {
                     {"found", outcome.found},
                     {"invented", outcome.invented},
                     {"explained_wrong", outcome.explained_wrong},
+                    {"odds", odds_json(outcome.odds)},
                     {"effect_intervals", count_json(outcome.effect_intervals)},
                     {"number_intervals", count_json(outcome.number_intervals)},
                     {"after_over_noise", optional_json(outcome.after_over_noise)},
@@ -83,6 +96,7 @@ Outcome read_outcome(const std::filesystem::path& file) {
             .found = all.at("found"),
             .invented = all.at("invented"),
             .explained_wrong = all.at("explained_wrong"),
+            .odds = odds_from(all.at("odds")),
             .effect_intervals = count_from(all.at("effect_intervals")),
             .number_intervals = count_from(all.at("number_intervals")),
             .after_over_noise = optional_from(all.at("after_over_noise")),

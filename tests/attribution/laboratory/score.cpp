@@ -23,6 +23,7 @@ using truth::laboratory::Tolerances;
 // what a plan says, twice that.
 constexpr double clear = 30.0;
 constexpr double clear_at_bound = 12.0;
+constexpr double least_stated = 0.01;  // a probability below counts as none
 
 bool contains(const std::vector<std::string>& ids, const std::string& id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
@@ -198,6 +199,11 @@ Outcome score(const Case& asked, const LaboratorySet& set, const std::string& di
                            [&](const std::string& reported) { return stands_for(outcome, reported, id); });
       });
   if (outcome.hidden.empty()) outcome.right_verdict = is_right_verdict(outcome, asked, set);
+  if (diagnosis.contains("odds") && diagnosis.at("odds").is_object())
+    for (const auto& [id, probability] : diagnosis.at("odds").at("effects").items())
+      if (probability.get<double>() >= least_stated)
+        outcome.odds.push_back(
+            {.probability = probability, .is_there = contains(outcome.hidden, id) || contains(allowed, id)});
   const bool all_there = outcome.hidden.empty() ? !outcome.reported.empty() : outcome.found;
   outcome.explained_wrong = outcome.verdict == "explained" && (outcome.invented || !all_there);
   count_effect_intervals(diagnosis, set, outcome);

@@ -40,6 +40,30 @@ std::string line_of(const Figure& figure) {
                      figure.reached() ? "reached" : "MISSED");
 }
 
+// What was stated, in five bins, and how often it was so; of an outsider no effect is there.
+std::string reliability(const std::vector<Outcome>& outcomes) {
+  constexpr int bins = 5;
+  std::string text = "\nstated probabilities of effects: how many there were, their mean, and how many are there\n";
+  for (const bool outsiders : {false, true})
+    for (int bin = 0; bin < bins; ++bin) {
+      Count there;
+      double sum = 0.0;
+      for (const Outcome& outcome : outcomes) {
+        if ((outcome.category == "outsider") != outsiders) continue;
+        for (const StatedOdds& each : outcome.odds) {
+          if (std::min(bins - 1, static_cast<int>(bins * each.probability)) != bin) continue;
+          there.add(each.is_there);
+          sum += each.probability;
+        }
+      }
+      if (there.of == 0) continue;
+      text += fmt::format("{:<12}{:.1f} to {:.1f}  {:>4}  stated {:>5.1f} %  there {:>5.1f} %\n",
+                          outsiders ? "outsiders" : "", 1.0 * bin / bins, (1.0 + bin) / bins, there.of,
+                          100.0 * sum / there.of, 100.0 * there.hits / there.of);
+    }
+  return text;
+}
+
 // Sets by each of their conditions, those with all faults at once, and all.
 std::map<std::string, std::vector<Outcome>> by_condition(const std::vector<Outcome>& outcomes) {
   std::map<std::string, std::vector<Outcome>> out;
@@ -174,6 +198,7 @@ std::string summary(const std::vector<Outcome>& outcomes) {
     text += '\n';
   }
 
+  text += reliability(outcomes);
   text += "\nwhere something went wrong (?: too weak to be asked for; last: error after over the noise)\n";
   for (const Outcome& outcome : outcomes)
     if (!fault_of(outcome).empty()) text += set_line(outcome) + "\n";

@@ -79,7 +79,7 @@ for letter in A B C D; do run "best_$letter" size; done
 run fastest_finger size
 run strongest_grip size
 run least_ringing size
-for study in finger grip ringing B; do run "robust_$study" size; done
+for study in finger grip ringing A B C; do run "robust_$study" size; done
 run grip_per_mass size
 run split_currents size
 run speed_against_grip pareto
@@ -89,13 +89,14 @@ run lightest_gripper size
 yield() {
   "$program" yield "configs/studies/$1.json" "results/reference/$2/actuator.json" --quiet "${@:4}" >"results/reference/$3"
 }
-for pair in "robust_finger fastest_finger" "robust_grip strongest_grip" "robust_ringing least_ringing" "robust_B best_B"; do
+for pair in "robust_finger fastest_finger" "robust_grip strongest_grip" "robust_ringing least_ringing" "robust_A best_A" \
+  "robust_B best_B" "robust_C best_C"; do
   read -r robust nominal <<<"$pair"
   for of in "$nominal" "$robust"; do yield "$robust" "$of" "$robust/yield_of_$of.txt" --builds 10000; done
 done
 for robust in robust_finger robust_grip; do yield "$robust" "$robust" "$robust/worth.txt" --builds 1000 --worth 1024; done
-# Searches of half an hour to more than one: only what builds make of the nominal designs.
-for pair in "robust_A best_A" "robust_C best_C" "robust_D best_D" "robust_gripper lightest_gripper"; do
+# Searches of an hour and more: only what builds make of the nominal designs.
+for pair in "robust_D best_D" "robust_gripper lightest_gripper"; do
   read -r robust nominal <<<"$pair"
   yield "$robust" "$nominal" "$nominal/yield_of_$nominal.txt" --builds 10000
 done

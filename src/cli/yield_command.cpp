@@ -143,10 +143,10 @@ void add_yield_command(CLI::App& app, Outcome& outcome) {
       *command, "--current-A", options->current, text::Rule::between(-1e6, 1e6),
       "Current in every coil, A, where the study varies it. Default: that of the operating_point of ACTUATOR.json");
   add_whole_number(*command, "--builds", options->builds, text::Rule::between(10, 1e7), "How many (default 1000)");
-  add_whole_number(*command, "--worth", options->worth_builds, text::Rule::between(0, 1e6),
+  add_whole_number(*command, "--worth", options->worth_builds, text::Rule::between(16, 1e6),
                    "Also say which scatter matters: builds of each of 2 N + 2 sums for N scatters; fewer than some "
                    "hundred leave wide intervals "
-                   "(default 0: leave it out)");
+                   "(default: leave it out)");
   add_seed_option(*command, options->seed, "Random seed of the dice (default 1)");
   add_threads_option(*command, options->threads, "Number of builds evaluated at the same time");
   add_flag(*command, "--quiet", options->quiet, "Show no progress");

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
+#include "coilwright/actuator/assemble.hpp"
 #include "coilwright/sizing/search/search.hpp"
 
 namespace coilwright::sizing {
@@ -60,7 +62,9 @@ std::vector<AssumptionEffect> assumption_effects(const DesignProblem& problem, c
     effect.evaluations = 1;
     effect.evaluation = other.assess(other.evaluate(best.point));
     effect.worst = worst_margin(study, effect.evaluation);
-    effect.other_best = other_best(other, best, options, effect.evaluations);
+    effect.is_built = effect.evaluation.failure.empty() ||
+                      std::holds_alternative<actuator::Assembly>(actuator::assemble(other.design_at(best.point)));
+    if (effect.is_built) effect.other_best = other_best(other, best, options, effect.evaluations);
     if (options.search.stop.stop_requested()) break;
     if (effect.other_best && effect.other_best->point != best.point) {
       const double reached = effect.other_best->evaluation.objectives.front();
@@ -78,10 +82,13 @@ const AssumptionEffect* decisive(const Study& study, const Record& best, const s
   if (effects.empty()) return nullptr;
   const StudyObjective& objective = study.objectives.front();
   const double promised = best.evaluation.objectives.front();
-  // Broken limits first, then by how far the objective is from what was promised once the design has followed.
+  // Broken limits first, then by how far the objective is from what was promised once the design has followed; where no
+  // other design was looked for, by how far the worst limit is broken.
   const auto weight = [&](const AssumptionEffect& effect) {
+    if (!effect.is_built) return std::pair(0.0, 0.0);
     const bool kept = is_feasible(effect.evaluation);
-    if (!kept && !effect.other_best) return std::pair(1.0, 1.0);
+    const bool searched = effect.evaluations > 1;
+    if (!kept && !effect.other_best) return std::pair(1.0, searched || !effect.worst ? 1.0 : -effect.worst->margin);
     const Evaluation& reached =
         effect.other_best && effect.changes_design ? effect.other_best->evaluation : effect.evaluation;
     const double change =

@@ -85,5 +85,26 @@ TEST(Decisive, IsABrokenLimitBeforeALargeChangeBeforeASmallOne) {
   EXPECT_EQ(decisive(study, best, {}), nullptr);
 }
 
+TEST(Decisive, OfBrokenLimitsIsTheFarthestWhereNoOtherDesignWasLookedFor) {
+  const Study study = with_one_objective();
+  const Record best{.point = {}, .evaluation = {.objectives = {1000.0}, .constraints = {-0.1, -1.0}}};
+  std::vector<AssumptionEffect> effects = {with_outcome("a little", 999.0, 0.05), with_outcome("far", 999.0, 3.0)};
+  for (AssumptionEffect& effect : effects) {
+    effect.evaluations = 1;
+    effect.worst = worst_margin(study, effect.evaluation);
+  }
+  EXPECT_EQ(decisive(study, best, effects)->choice.subject, "far");
+}
+
+TEST(Decisive, IsNoChoiceUnderWhichTheModelCannotBeWorkedOut) {
+  const Study study = with_one_objective();
+  const Record best{.point = {}, .evaluation = {.objectives = {1000.0}, .constraints = {-0.1, -1.0}}};
+  AssumptionEffect extreme = with_outcome("extreme", 0.0, 1.0);
+  extreme.evaluation.failure = "shape too extreme to compute";
+  extreme.is_built = false;
+  EXPECT_EQ(decisive(study, best, {extreme}), nullptr);
+  EXPECT_EQ(decisive(study, best, {extreme, with_outcome("small", 900.0, -0.1)})->choice.subject, "small");
+}
+
 }  // namespace
 }  // namespace coilwright::sizing

@@ -27,6 +27,7 @@ struct AssumptionEffect {
   actuator::OtherChoice choice;      ///< its design is the answer's own
   Evaluation evaluation;             ///< of the answer under the other choice
   std::optional<WorstMargin> worst;  ///< of that
+  bool is_built = true;  ///< false: its model cannot be worked out under the choice, which says nothing about that
   std::optional<Record> other_best;  ///< the best feasible design that a short search under it found; nothing if none
   bool changes_design{};             ///< whether that one would be chosen instead
   std::size_t evaluations{};         ///< of designs, for all this
@@ -51,8 +52,8 @@ struct AssumptionOptions {
                                                                const AssumptionOptions& options);
 
 /// The effect that changes the answer most: one that breaks a limit before one that changes the objective, then by how
-/// far the best design under it is from what the answer promises; nullptr where none changes it by more than
-/// gain_of_another_design.
+/// far the best design under it is from what the answer promises, or how far the worst limit is broken where no other
+/// design was looked for; nullptr where none changes it by more than gain_of_another_design.
 [[nodiscard]] const AssumptionEffect* decisive(const Study& study, const Record& best,
                                                const std::vector<AssumptionEffect>& effects);
 

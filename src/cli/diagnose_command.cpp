@@ -10,11 +10,14 @@
 #include <filesystem>
 #include <future>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <ratio>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -51,6 +54,7 @@ struct DiagnoseOptions {
   std::string out;
   int threads = 0;
   std::uint64_t seed = 1;
+  double minutes = std::numeric_limits<double>::infinity();
   bool as_written{false};
   bool force{false};
   bool quiet{false};
@@ -117,6 +121,7 @@ Diagnosis diagnose(const DiagnoseOptions& options, const formats::DatasetFile& s
     how.warn = [](const measurement::data::Warning& each) {
       std::cerr << "warning: " << each.run << ": " << each.text << '\n';
     };
+  how.beliefs = set.beliefs;
   how.known = [&known](const Diagnosis& so_far) { known.set(so_far); };
   if (!options.quiet) how.progress = [](const std::string& line) { std::cerr << line << '\n'; };
   try {
@@ -162,13 +167,13 @@ void write(const DiagnoseOptions& options, const AskedDiagnosis& asked, const Di
   }
 }
 
-// What is known is written, and the work, which knows nothing of signals, ends with the program.
+// What is known is written, and the work, which knows nothing of signals and limits, ends with the program.
 [[noreturn]] void end_interrupted(const DiagnoseOptions& options, const AskedDiagnosis& asked,
-                                  const std::optional<Diagnosis>& known) {
+                                  const std::optional<Diagnosis>& known, std::string_view why) {
   ExitCode code = ExitCode::interrupted;
   try {
     if (known) write(options, asked, *known);
-    std::cerr << "coilwright: interrupted: "
+    std::cerr << "coilwright: " << why << ": "
               << (known ? fmt::format("{} has what is known so far, marked as incomplete", options.out)
                         : std::string("nothing is written"))
               << '\n';
@@ -186,8 +191,13 @@ void run_diagnose(const DiagnoseOptions& options) {
   std::future<Diagnosis> work = std::async(
       std::launch::async, [&] { return diagnose(options, asked.set, asked.declared, asked.declared_file, known); });
   constexpr std::chrono::milliseconds soon{50};
-  while (work.wait_for(soon) != std::future_status::ready)
-    if (stop.requested()) end_interrupted(options, asked, known.get());
+  using Minutes = std::chrono::duration<double, std::ratio<60>>;
+  const auto begun = std::chrono::steady_clock::now();
+  while (work.wait_for(soon) != std::future_status::ready) {
+    if (stop.requested()) end_interrupted(options, asked, known.get(), "interrupted");
+    if (Minutes(std::chrono::steady_clock::now() - begun).count() > options.minutes)
+      end_interrupted(options, asked, known.get(), fmt::format("stopped after {:g} minutes", options.minutes));
+  }
   const Diagnosis diagnosis = work.get();
   if (!options.quiet) std::cerr << report::to_text(diagnosis.phases);
   write(options, asked, diagnosis);
@@ -209,6 +219,8 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
   add_seed_option(*command, options->seed, "Random seed for the additional fit starts (default 1)");
   add_flag(*command, "--as-written", options->as_written,
            "Fit records also where another unit or sign (radians, an exchanged lead, frame numbers) fits far better");
+  add_number(*command, "--minutes", options->minutes, up_to(1e6),
+             "Stop after this time, as Ctrl-C does, and write what is known so far (default: no limit)");
   add_force_option(*command, options->force);
   add_flag(*command, "--quiet", options->quiet, "Show no progress; warnings of the records remain");
   add_flag(*command, "--json", options->json, "Print diagnosis.json instead of the summary");
@@ -222,8 +234,10 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
       "for plan and twin) and next_experiment.csv (what each explanation expects that run to show). Where no known\n"
       "effect explains all and a torque without a name explains more on runs left out, it also writes\n"
       "corrected_actuator.json with that torque. Files of an earlier diagnosis in the folder are replaced, others of\n"
-      "these names only with --force. The exit code is 0 for every verdict. Ctrl-C writes what is known so far (the\n"
-      "recalibrated model, the hypotheses compared) with the verdict \"incomplete\"; the exit code is then 130.\n\n"
+      "these names only with --force. The exit code is 0 for every verdict. Ctrl-C, and --minutes, write what is known "
+      "so far\n"
+      "(the recalibrated model, the odds of what was compared) with the verdict \"incomplete\"; the exit code is then "
+      "130.\n\n"
       "Example:\n"
       "  coilwright diagnose studies/undeclared_effect/data --out results/undeclared_effect");
   add_report_option(*command, options->report);

@@ -18,10 +18,10 @@
 #include "measurement/compare/hypothesis_search.hpp"
 #include "measurement/compare/insensitive_parameters.hpp"
 #include "measurement/compare/intervals.hpp"
+#include "measurement/compare/mixed_intervals.hpp"
+#include "measurement/compare/numbers_off.hpp"
 #include "measurement/compare/profile_likelihood.hpp"
-#include "measurement/compare/pruned_attribution.hpp"
 #include "measurement/compare/recalibration.hpp"
-#include "measurement/compare/relaxed_tolerances.hpp"
 #include "measurement/compare/staged_fit.hpp"
 #include "measurement/compare/unseen_effects.hpp"
 #include "measurement/correction/find_correction.hpp"
@@ -58,20 +58,6 @@ class PhaseTimer {
   std::vector<Phase> phases_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-// Whether the declared model alone, recalibrated, leaves noise.
-bool is_enough(const compare::Attribution& found) {
-  return found.steps.size() == 1 && found.before().whiteness.is_white();
-}
-
-Verdict verdict_of(const compare::Attribution& found, double probability_of_declared, bool one_number_is_off) {
-  if (is_enough(found))
-    return one_number_is_off || probability_of_declared < compare::decision_thresholds.least_probability
-               ? Verdict::declared_numbers_off
-               : Verdict::no_missing_effect;
-  if (found.steps.size() == 1) return Verdict::unexplained;
-  return found.after().whiteness.is_white() ? Verdict::explained : Verdict::partly_explained;
-}
 
 void set_if_idle(MovedNumber& number, std::span<const compare::InsensitiveParameter> idle, Eigen::Index index) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -154,7 +140,7 @@ void set_outliers_aside_twice(std::vector<replay::PreparedRun>& runs, const repl
 // What is known before there is an answer: the recalibrated model, with intervals by its curvature, and the hypotheses
 // as they were compared so far.
 Diagnosis incomplete(Diagnosis out, std::span<const replay::PreparedRun> runs, const compare::FittedHypothesis& before,
-                     const std::vector<compare::ComparedHypothesis>& so_far) {
+                     compare::Posterior so_far) {
   const double overdispersion = compare::overdispersion_of(runs, before);
   const Eigen::VectorXd deviations = compare::standard_deviations(before, overdispersion);
   std::vector<compare::Estimate> estimates;
@@ -167,7 +153,7 @@ Diagnosis incomplete(Diagnosis out, std::span<const replay::PreparedRun> runs, c
   out.model_error = before.fit.model_error;
   out.before = before.whiteness;
   out.after = before.whiteness;
-  out.compared_hypotheses = so_far;
+  out.odds = std::move(so_far);
   for (const replay::PreparedRun& prepared : runs) append(out.noise, prepared.noise);
   return out;
 }
@@ -217,48 +203,49 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   timer.end_phase("noise and outliers");
 
   out.held_exact = declared.held_exact;
-  const auto make_known = [&](const compare::FittedHypothesis& before,
-                              const std::vector<compare::ComparedHypothesis>& so_far) {
+  const auto make_known = [&](const compare::FittedHypothesis& before, compare::Posterior so_far) {
     options.known(incomplete(out, runs, before, so_far));
   };
-  compare::Attribution compared =
+  compare::Attribution found =
       compare::attribute({.runs = runs,
                           .declared = &declared,
                           .seed = options.seed,
                           .progress = options.progress,
                           .known = options.known ? make_known : decltype(compare::AttributionRequest::known){},
+                          .beliefs = options.beliefs,
                           .effects = options.effects});
-  if (options.known) make_known(compared.before(), compared.compared);
+  if (options.known) make_known(found.before, found.posterior);
   for (const replay::PreparedRun& prepared : runs) append(out.noise, prepared.noise);
   timer.end_phase("comparison");
 
-  compare::PrunedAttribution pruned = compare::prune_unsupported_effects(runs, std::move(compared), options.progress);
-  compare::Attribution& found = pruned.attribution;
-  auto hinted = compare::widen_by_unseen_effects(pruned.estimates, runs, found, pruned.overdispersion);
-  compare::widen_by_rivals(pruned.estimates, found.rivals, pruned.overdispersion);
-  const std::vector<compare::Estimate>& estimates = pruned.estimates;
-  const auto idle_before = compare::insensitive_parameters(runs, found.before());
-  const auto idle_after = found.steps.size() == 1 ? idle_before : compare::insensitive_parameters(runs, found.after());
-  if (is_enough(found)) out.numbers_off = compare::numbers_that_may_be_off(runs, found.before(), pruned.overdispersion);
-  timer.end_phase("intervals and cross-validation");
+  const double overdispersion = compare::overdispersion_of(runs, found.after);
+  compare::EstimatedHypothesis reported =
+      compare::estimated(runs, compare::refitted(runs, std::move(found.after)), overdispersion, options.progress);
+  found.after = std::move(reported.fitted);
+  std::vector<compare::Estimate>& estimates = reported.estimates;
+  out.hinted = compare::widen_by_unseen_effects(estimates, runs, found, overdispersion);
+  compare::widen_by_posterior(estimates, found, overdispersion);
+  const auto idle_before = compare::insensitive_parameters(runs, found.before);
+  const auto idle_after = found.has_effects() ? compare::insensitive_parameters(runs, found.after) : idle_before;
+  if (!found.has_effects() && found.answer.leaves_noise)
+    out.numbers_off = compare::numbers_that_may_be_off(runs, found.before, overdispersion);
+  timer.end_phase("intervals");
 
-  out.probability_of_declared = compare::probability_of_declared_numbers(found.before(), idle_before);
-  out.verdict = verdict_of(found, out.probability_of_declared, !out.numbers_off.empty());
-  out.model_error = found.after().fit.model_error;
-  out.before = found.before().whiteness;
-  out.after = found.after().whiteness;
-  out.compared_hypotheses = std::move(found.compared);
-  out.odds = std::move(found.posterior);
-  out.hinted = std::move(hinted);
-  out.indistinguishable = found.indistinguishable;
+  out.probability_of_declared = compare::probability_of_declared_numbers(found.before, idle_before);
+  const bool numbers_are_off =
+      !out.numbers_off.empty() || out.probability_of_declared < compare::decision_thresholds.least_probability;
+  out.verdict = compare::verdict_of(found.posterior, found.answer, numbers_are_off);
+  out.model_error = found.after.fit.model_error;
+  out.before = found.before.whiteness;
+  out.after = found.after.whiteness;
+  out.indistinguishable = found.answer.indistinguishable;
   set_declared_numbers(out, declared, estimates, idle_after);
-  out.covariance = reported_covariance(found.after(), pruned.overdispersion, estimates);
-  for (std::size_t i = 0; i < found.after().hypothesis.effects().size(); ++i)
-    out.effects.push_back({.kind = found.after().hypothesis.effects()[i].kind,
-                           .parameters = compare::estimates_of_effect(found.after(), estimates, i),
-                           .evidence = pruned.evidence[i]});
+  out.covariance = reported_covariance(found.after, overdispersion, estimates);
+  for (std::size_t i = 0; i < found.after.hypothesis.effects().size(); ++i)
+    out.effects.push_back({.kind = found.after.hypothesis.effects()[i].kind,
+                           .parameters = compare::estimates_of_effect(found.after, estimates, i)});
   say("residual as a torque");
-  out.residual = localise::localise(runs, found.after());
+  out.residual = localise::localise(runs, found.after);
   timer.end_phase("localisation");
   correction::FoundCorrection nameless;
   if (out.verdict == Verdict::partly_explained || out.verdict == Verdict::unexplained)
@@ -267,12 +254,17 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   timer.end_phase("nameless correction");
   say("what to record next");
   out.next_experiment = experiment::separating_experiment(runs, found);
+  out.odds = std::move(found.posterior);
+  // Both were fitted again after they had been weighed.
+  for (compare::WeighedHypothesis& each : out.odds.hypotheses)
+    if (each.effects.empty()) each.chi_square = found.before.fit.chi_square;
+  if (found.has_effects()) out.odds.hypotheses[found.answer.reported].chi_square = found.after.fit.chi_square;
   timer.end_phase("next experiment");
 
   const ThreeModels models{.declared = {.hypothesis = as_declared, .fit = {.values = as_declared.start()}},
-                           .before = found.before(),
-                           .after = found.after(),
-                           .overdispersion = pruned.overdispersion,
+                           .before = found.before,
+                           .after = found.after,
+                           .overdispersion = overdispersion,
                            .corrected = nameless.fitted};
   say("errors of the finished models");
   const FinalErrors fitted(runs, models);
@@ -291,24 +283,6 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
 }
 
 }  // namespace
-
-std::string_view name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::no_missing_effect:
-      return "no_missing_effect";
-    case Verdict::declared_numbers_off:
-      return "declared_numbers_off";
-    case Verdict::explained:
-      return "explained";
-    case Verdict::partly_explained:
-      return "partly_explained";
-    case Verdict::unexplained:
-      return "unexplained";
-    case Verdict::incomplete:
-      return "incomplete";
-  }
-  return "";
-}
 
 Diagnosis diagnose(const data::Dataset& data, const replay::DeclaredModel& declared, const DiagnosisOptions& options) {
   tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);

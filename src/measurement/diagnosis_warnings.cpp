@@ -114,7 +114,7 @@ bool colour_is_known(const noise::NoiseLevel& level) {
 // Noise that is correlated from picture to picture looks like structure of the motion.
 void warn_of_unknown_colour(std::vector<data::Warning>& out, const Diagnosis& diagnosis,
                             std::span<const replay::PreparedRun> runs) {
-  if (diagnosis.after.is_white()) return;
+  if (diagnosis.verdict != Verdict::partly_explained && diagnosis.verdict != Verdict::unexplained) return;
   for (const replay::PreparedRun& prepared : runs) {
     if (!prepared.is_motion() || std::ranges::all_of(prepared.noise, colour_is_known)) continue;
     out.push_back({.run = "",

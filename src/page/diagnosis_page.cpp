@@ -41,21 +41,18 @@ std::string fitted_text(const Node& number) {
 
 Section effects_section(const Node& diagnosis) {
   Section section{.id = "effects", .title = "What the model lacks"};
-  Table table{.header = {"effect", "number", "value", "95 % interval", "gain", "gain on runs left out"}};
+  Table table{.header = {"effect", "probability", "number", "value", "95 % interval"}};
   for (const Node& effect : member_of(diagnosis, "effects").elements()) {
+    const std::string id = member_of(effect, "id").text();
     const auto evidence = effect.find("evidence");
-    const auto gain = [&](const char* key) {
-      return evidence && !evidence->is_null() && evidence->find(key) ? cell_of(evidence->find(key).value()) : "-";
-    };
+    const auto known = evidence ? evidence->find("probability") : std::nullopt;
+    const std::string probability = known ? cell_of(*known) : "-";
     bool first = true;
     const std::vector<Node> parameters = member_of(effect, "parameters").members();
-    if (parameters.empty())
-      table.rows.push_back(
-          {member_of(effect, "id").text(), "", "", "", gain("criterion_gain"), gain("cross_validated_gain")});
+    if (parameters.empty()) table.rows.push_back({id, probability, "", "", ""});
     for (const Node& parameter : parameters) {
-      table.rows.push_back({first ? member_of(effect, "id").text() : "", parameter.key(), cell_of(parameter, "value"),
-                            interval_text(parameter), first ? gain("criterion_gain") : "",
-                            first ? gain("cross_validated_gain") : ""});
+      table.rows.push_back({first ? id : "", first ? probability : "", parameter.key(), cell_of(parameter, "value"),
+                            interval_text(parameter)});
       first = false;
     }
   }
@@ -196,43 +193,42 @@ Section assumed_section(const Node& summary) {
 
 Section candidates_section(const Node& diagnosis) {
   Section section{.id = "candidates", .title = "Hypotheses that were compared"};
-  Table table{.header = {"rank", "effects", "residual", "gain", "gain on runs left out", "remark"}};
+  Table table{.header = {"rank", "effects", "probability", "log evidence", "residual", "leaves noise"}};
   const auto samples = static_cast<double>(samples_of(diagnosis, "fit"));
   BarChart chart{.id = "ranking",
-                 .title = "The hypotheses by their gain",
-                 .description =
-                     "How much better than the declared model fitted anew, each further number charged: a lead of 6 is "
-                     "odds of 20 to 1, less decides nothing. The 15 best.",
-                 .value_title = "gain",
+                 .title = "The most probable hypotheses",
+                 .description = "Given that one of those that were fitted is true. The 15 most probable.",
+                 .value_title = "probability",
                  .label_title = "effects"};
   std::map<std::string, int> seen;
   for (const Node& each : member_of(diagnosis, "candidates").elements()) {
     const std::string ids = ids_text(member_of(each, "effects"));
-    const auto evidence = each.find("evidence");
-    const bool known = evidence && !evidence->is_null();
-    const auto number = [&](const char* key) { return known ? cell_of(member_of(*evidence, key)) : "-"; };
-    const auto left = known ? evidence->find("chi_square_after") : std::nullopt;
-    const bool is_told = left && !left->is_null() && samples > 0.0;
-    table.rows.push_back({fmt::format("{}", table.rows.size() + 1), ids,
-                          is_told ? short_number(std::sqrt(left->number() / samples)) : "-", number("criterion_gain"),
-                          number("cross_validated_gain"), cell_of(each, "remark")});
-    if (!known || chart.bars.size() >= 15) continue;
+    const Node left = member_of(each, "chi_square");
+    const bool is_told = !left.is_null() && samples > 0.0;
+    table.rows.push_back(
+        {fmt::format("{}", table.rows.size() + 1), ids, cell_of(each, "probability"), cell_of(each, "log_evidence"),
+         is_told ? short_number(std::sqrt(left.number() / samples)) : "-", cell_of(each, "probability_of_noise")});
+    if (chart.bars.size() >= 15) continue;
     const int again = seen[ids]++;
-    const double gain = member_of(*evidence, "criterion_gain").number();
+    if (member_of(each, "probability").is_null()) continue;
     chart.bars.push_back({.label = again == 0 ? ids : fmt::format("{} ({})", ids, again + 1),
-                          .value = gain,
-                          .group = member_of(each, "remark").is_null() ? "compared" : "set aside"});
+                          .value = member_of(each, "probability").number(),
+                          .group = "compared"});
   }
   if (!chart.bars.empty()) section.blocks.emplace_back(figure_of(chart));
   if (table.rows.empty())
     section.blocks.emplace_back(Paragraph{"None were compared."});
   else
-    section.blocks.emplace_back(TableBlock{.caption = "Hypotheses, best first", .table = std::move(table)});
+    section.blocks.emplace_back(TableBlock{.caption = "Hypotheses, most probable first", .table = std::move(table)});
+  Table ruled_out{.header = {"effects", "why it has no probability"}};
+  for (const Node& each : member_of(diagnosis, "ruled_out").elements())
+    ruled_out.rows.push_back({ids_text(member_of(each, "effects")), member_of(each, "remark").text()});
+  if (!ruled_out.rows.empty())
+    section.blocks.emplace_back(TableBlock{.caption = "Not compared", .table = std::move(ruled_out)});
   section.blocks.emplace_back(
-      Paragraph{"Residual: rms on the fitted runs over the noise; 1 is noise alone. Gain: as in the figure; below 0 a "
-                "hypothesis explains less than its numbers cost. Gain on runs left out: the share of the squared error "
-                "above the noise that it takes away from runs that its fit has not seen. Those far behind the best "
-                "were fitted briefly: their gain may be larger."});
+      Paragraph{"Log evidence: natural logarithm, over that of no effect. Residual: rms on the fitted runs over the "
+                "noise; 1 is noise alone. Leaves noise: the probability that what a hypothesis lacks is less than a "
+                "tenth of the noise."});
   return section;
 }
 
@@ -246,11 +242,13 @@ Section warnings_section(const Node& diagnosis) {
   return section;
 }
 
-// The words of the answer, which a diagnosis by an earlier version did not write.
+// The words of the answer. A diagnosis by an earlier version had none, or no probabilities.
 Node summary_of(const Node& diagnosis) {
-  if (const auto summary = diagnosis.find("summary")) return *summary;
-  throw diagnosis.error_without_value(
-      R"(must have "summary" (docs/formats.md), which an earlier version did not write: diagnose again)");
+  const auto summary = diagnosis.find("summary");
+  const char* lacks = !summary ? "summary" : !diagnosis.find("ruled_out") ? "ruled_out" : nullptr;
+  if (lacks == nullptr) return *summary;
+  throw diagnosis.error_without_value(fmt::format(
+      R"(must have "{}" (docs/formats.md), which an earlier version did not write: diagnose again)", lacks));
 }
 
 }  // namespace

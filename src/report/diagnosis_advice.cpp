@@ -93,29 +93,6 @@ std::vector<std::string> checks_at_the_rig(const Diagnosis& diagnosis) {
   return out;
 }
 
-// What explains the runs that were fitted and not those left out in turn: right, and shown by too few runs, or wrong.
-std::string repeating_step(const Diagnosis& diagnosis) {
-  const auto compared = formats::compared_as_reported(diagnosis);
-  if (compared.empty() || !compared.front().evidence) return {};
-  const compare::ComparedHypothesis& best = compared.front();
-  const double left = best.evidence->chi_square_after;
-  if (best.remark != compare::worse_on_runs_left_out || left > 0.5 * best.evidence->chi_square_before) return {};
-  return fmt::format(
-      "Record each motion once more and diagnose again. {} explains most of the runs that were fitted, and makes runs "
-      "worse that are left out in turn: as long as only one run of its kind shows an effect, nobody can tell whether "
-      "it is the right one.",
-      fmt::join(formats::ids(best.effects), " + "));
-}
-
-// Effects whose numbers the other runs leave too open, whichever run is left out.
-std::vector<std::string> untested_effects(const Diagnosis& diagnosis) {
-  std::vector<std::string> out;
-  for (const AddedEffect& each : diagnosis.effects)
-    if (!std::isfinite(each.evidence.cross_validated_gain) && !each.evidence.untold_runs.empty())
-      out.emplace_back(each.kind->id());
-  return out;
-}
-
 }  // namespace
 
 std::string far_numbers(const Diagnosis& diagnosis) {
@@ -219,8 +196,6 @@ std::vector<std::string> next_steps(const formats::DiagnosisReport& report) {
   if (!risen_errors(diagnosis).empty() || !errors_beyond_noise(diagnosis).empty())
     steps.emplace_back(
         "Fit a run of the kind that was kept from the fit, too, before anything is built on this result.");
-  if (structure)
-    if (std::string step = repeating_step(diagnosis); !step.empty()) steps.push_back(std::move(step));
   for (std::string& step : checks_at_the_rig(diagnosis)) steps.push_back(std::move(step));
   for (std::string& step : faces_to_look_at(report)) steps.push_back(std::move(step));
   if (const std::vector<std::string> measure = numbers_to_measure(diagnosis); !measure.empty())
@@ -243,10 +218,6 @@ std::vector<std::string> next_steps(const formats::DiagnosisReport& report) {
   if (structure && diagnosis.verdict == Verdict::partly_explained)
     steps.emplace_back(
         "Do not take the numbers of the effects for those of the finger: what is missing distorts them.");
-  if (const std::vector<std::string> untested = untested_effects(diagnosis); !untested.empty())
-    steps.push_back(
-        fmt::format("Record each motion a second time and diagnose again: no run left out of the fit could test {}.",
-                    fmt::join(untested, " and ")));
   if (diagnosis.validate_errors.empty() && !structure)
     steps.emplace_back(
         "Record a further run and give it the role validate: this result was judged by the runs that it was fitted "

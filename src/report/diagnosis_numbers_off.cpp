@@ -29,16 +29,15 @@ std::string free_value_text(const Diagnosis& diagnosis, const compare::NumberOff
                      std::abs(off.estimate->value - number->declared) / number->tolerance);
 }
 
-// Hypotheses of missing effects that explain these data as well as a number that is off, or so nearly that its lead
-// decides nothing.
+// Missing effects that would explain these data about as well as a number that is off.
 std::vector<std::string> rivals_of_numbers(const Diagnosis& diagnosis) {
-  double best = 0.0;
-  for (const compare::NumberOff& each : diagnosis.numbers_off) best = std::max(best, each.gain);
-  const double least = best - compare::decision_thresholds.decisive_gain;
+  constexpr double worth_naming = 0.05;
   std::vector<std::string> out;
-  for (const compare::ComparedHypothesis& each : formats::compared_as_reported(diagnosis))
-    if (!each.effects.empty() && each.evidence && each.evidence->criterion_gain > least)
-      out.push_back(fmt::format("{}", fmt::join(formats::ids(each.effects), " + ")));
+  for (const compare::WeighedHypothesis& each : diagnosis.odds.hypotheses)
+    if (!each.effects.empty() && each.probability >= worth_naming)
+      if (std::string name = fmt::format("{}", fmt::join(formats::ids(each.effects), " + "));
+          std::ranges::find(out, name) == out.end())
+        out.push_back(std::move(name));
   constexpr std::size_t most = 3;
   if (out.size() > most) out.resize(most);
   return out;

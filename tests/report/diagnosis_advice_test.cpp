@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <limits>
 #include <optional>
 
 #include "report/text_of_diagnosis.hpp"
@@ -92,24 +91,6 @@ TEST(DiagnosisAdvice, SaysWhereNothingIsMissingWhatWouldTellHowSmallThatIs) {
                 "experiment and run plan: a smaller one may still be there.\n"));
 }
 
-// One run of a kind cannot show whether what explains it is right: the way out is another one.
-TEST(DiagnosisAdvice, AsksForRepeatsWhereWhatFitsBestDoesNotHoldOnRunsLeftOut) {
-  Diagnosis diagnosis = example();
-  diagnosis.effects.clear();
-  diagnosis.indistinguishable.clear();
-  diagnosis.verdict = Verdict::unexplained;
-  compare::Evidence evidence{.chi_square_before = 30000.0, .chi_square_after = 12000.0, .criterion_gain = 900.0};
-  diagnosis.compared_hypotheses = {
-      {.effects = {&coil_heating}, .evidence = evidence, .remark = std::string(compare::worse_on_runs_left_out)}};
-  EXPECT_THAT(
-      text_of(diagnosis),
-      HasSubstr("What to do next\n  Record each motion once more and diagnose again. coil_heating explains most "
-                "of the runs that were fitted, and makes runs worse that are left out in turn: "));
-  // What explains little would not with more runs either.
-  diagnosis.compared_hypotheses.front().evidence->chi_square_after = 29000.0;
-  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("Record each motion once more")));
-}
-
 TEST(DiagnosisAdvice, BeginsWithPicturesThatStandStill) {
   Diagnosis diagnosis = example();
   diagnosis.verdict = Verdict::partly_explained;
@@ -156,14 +137,6 @@ TEST(DiagnosisAdvice, AsksForARunThatJudgesWhereNoneWasKept) {
   const std::string words = "  Record a further run and give it the role validate";
   EXPECT_THAT(text_of(diagnosis), Not(HasSubstr(words)));
   diagnosis.validate_errors.clear();
-  EXPECT_THAT(text_of(diagnosis), HasSubstr(words));
-}
-
-TEST(DiagnosisAdvice, AsksForRepeatsWhereNoRunLeftOutCouldTestAnEffect) {
-  Diagnosis diagnosis = example();
-  const std::string words = "no run left out of the fit could test dry_friction.\n";
-  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr(words)));
-  diagnosis.effects.front().evidence.cross_validated_gain = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(text_of(diagnosis), HasSubstr(words));
 }
 

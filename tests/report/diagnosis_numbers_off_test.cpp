@@ -22,6 +22,7 @@ compare::NumberOff off(const char* name, double value, double half_width, double
 Diagnosis with_a_heavy_tip() {
   Diagnosis diagnosis = example();
   diagnosis.effects.clear();
+  diagnosis.odds.hypotheses = {weighed({}, 12000.0, 1.0, 0.875)};
   diagnosis.indistinguishable.clear();
   diagnosis.verdict = Verdict::declared_numbers_off;
   diagnosis.probability_of_declared = 0.024;
@@ -73,11 +74,11 @@ TEST(DiagnosisNumbersOff, SayBetweenWhichTheDataDoNotTell) {
                               "at one current (a static_torque bench), whose shape is off, correct"));
 }
 
-// Its lead of 2 decides nothing.
+// What is less probable than one in twenty is not named.
 TEST(DiagnosisNumbersOff, SayWhichMissingEffectWouldDoAsWell) {
   Diagnosis diagnosis = with_a_heavy_tip();
-  diagnosis.compared_hypotheses = {{.effects = {&coil_heating}, .evidence = compare::Evidence{.criterion_gain = 10.5}},
-                                   {.effects = {&dry_friction}, .evidence = compare::Evidence{.criterion_gain = 6.4}}};
+  diagnosis.odds.hypotheses = {weighed({}, 12010.0, 0.5, 0.875), weighed({&coil_heating}, 12000.0, 0.4375),
+                               weighed({&dry_friction}, 12005.0, 0.03125)};
   EXPECT_THAT(text_of(diagnosis),
               HasSubstr("far better than within it. Or coil_heating is missing, which explains them about as "
                         "well: measure that number to know.\n"));

@@ -14,46 +14,43 @@ using namespace measurement;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
+// Beyond the five most probable only the reported one and that of no effect.
 TEST(DiagnosisRivals, PutsTheHypothesesComparedIntoColumns) {
   Diagnosis diagnosis = example();
   diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
-  const auto evidence = [](double chi_square, double gain) {
-    return compare::Evidence{.chi_square_after = chi_square, .criterion_gain = gain, .correlation_time = 4.0};
-  };
-  diagnosis.compared_hypotheses = {
-      {.effects = {&coil_heating, &magnet_heating}, .evidence = evidence(11900.0, 803.0), .remark = ""},
-      {.effects = {&dry_friction}, .evidence = evidence(12345.0, 700.0), .remark = ""},
-      {.effects = {&magnet_heating}, .evidence = evidence(52000.0, -8.5), .remark = "interval includes absent"},
-      {.effects = {&coil_heating}, .evidence = {}, .remark = "no coils"}};
-  // Of the reported one the numbers of the report, not those of the search.
+  diagnosis.odds.hypotheses = {weighed({&coil_heating, &magnet_heating}, 11900.0, 0.5, 0.9375),
+                               weighed({&coil_heating, &end_stop}, 13000.0, 0.25, 0.125),
+                               weighed({&magnet_heating}, 13000.0, 0.125, 0.0625),
+                               weighed({&end_stop}, 13000.0, 0.0625),
+                               weighed({&magnet_heating, &end_stop}, 13000.0, 0.03125),
+                               weighed({&coil_heating}, 13000.0, 0.03125),
+                               weighed({&dry_friction}, 12000.0, 1e-5, 0.9375),
+                               weighed({}, 48000.0, 0.0)};
   EXPECT_THAT(compared_text(diagnosis),
-              HasSubstr("  Compared, best first\n"
-                        "                                   residual   gain\n"
-                        "    coil_heating + magnet_heating    0.9958  803.0\n"
-                        "    dry_friction                          1  800.0  reported\n"
-                        "    magnet_heating                    2.082   -8.5  interval includes "
-                        "absent\n"
-                        "    coil_heating                       none   none  no coils\n"
-                        "  residual: rms on the fit runs over the noise, 1 is noise alone."));
+              HasSubstr("  Compared, most probable first\n"
+                        "                                       probability  residual     leaves noise\n"
+                        "    coil_heating + magnet_heating            0.500    0.9958            0.938\n"
+                        "    coil_heating + end_stop                  0.250     1.041            0.125\n"
+                        "    magnet_heating                           0.125     1.041            0.062\n"
+                        "    end_stop                                 0.062     1.041  less than 0.001\n"
+                        "    magnet_heating + end_stop                0.031     1.041  less than 0.001\n"
+                        "    dry_friction                   less than 0.001         1            0.938  reported\n"
+                        "    no effect                      less than 0.001         2  less than 0.001\n"
+                        "  probability: given that one of those that were fitted is true."));
 }
 
-TEST(DiagnosisRivals, SaysWhyANeighbourOfWhatWasDroppedIsNotTheAnswerEither) {
+TEST(DiagnosisRivals, AreNoTableWhereNothingWasCompared) {
+  EXPECT_EQ(compared_text({}), "");
+}
+
+TEST(DiagnosisRivals, MarkThatOfNoEffectWhereItIsTheAnswer) {
   Diagnosis diagnosis = example();
-  diagnosis.effects.clear();
-  diagnosis.indistinguishable.clear();
-  diagnosis.verdict = Verdict::declared_numbers_off;
   diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
-  const auto evidence = [](double gain) {
-    return compare::Evidence{.chi_square_after = 12000.0, .criterion_gain = gain, .correlation_time = 1.0};
-  };
-  diagnosis.compared_hypotheses = {
-      {.effects = {&coil_heating}, .evidence = evidence(51.7), .remark = "makes runs that are left out worse"},
-      {.effects = {&magnet_heating}, .evidence = evidence(50.7), .remark = ""},
-      {.effects = {&dry_friction}, .evidence = evidence(7.6), .remark = ""}};
-  EXPECT_THAT(compared_text(diagnosis),
-              HasSubstr("    coil_heating           1  51.7  makes runs that are left out worse\n"
-                        "    magnet_heating         1  50.7  these data do not tell it from the first of this list\n"
-                        "    dry_friction           1   7.6\n"));
+  diagnosis.effects.clear();
+  diagnosis.verdict = Verdict::no_missing_effect;
+  diagnosis.odds.hypotheses = {weighed({}, 12000.0, 0.75, 0.9375), weighed({&coil_heating}, 11990.0, 0.25, 0.9375)};
+  EXPECT_THAT(compared_text(diagnosis), HasSubstr("    no effect           0.750         1         0.938  reported\n"
+                                                  "    coil_heating        0.250    0.9996         0.938\n"));
 }
 
 TEST(DiagnosisRivals, SaysWhatIsHintedAtAndWhatThatWouldDo) {
@@ -63,7 +60,7 @@ TEST(DiagnosisRivals, SaysWhatIsHintedAtAndWhatThatWouldDo) {
   EXPECT_THAT(rivals_text(diagnosis),
               HasSubstr("  One more effect may be there that these data hint at, too weakly to be reported. All "
                         "intervals have in them\n  what it would do:\n"
-                        "    dry_friction (gain -1.5): the interval of joint_stiffness_Nmm_rad is 2.5 times wider for "
+                        "    dry_friction: the interval of joint_stiffness_Nmm_rad is 2.5 times wider for "
                         "its sake\n"));
 }
 
@@ -73,11 +70,8 @@ TEST(DiagnosisRivals, SaysOfThoseThatAreWorseByLittleHowToSeeThem) {
   const actuator::EffectKind* creep = effects.find("viscoelastic_creep");
   Diagnosis diagnosis = example();
   diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
-  const auto evidence = [](double chi_square) { return compare::Evidence{.chi_square_after = chi_square}; };
-  diagnosis.compared_hypotheses = {
-      {.effects = {&dry_friction}, .evidence = evidence(12000.0), .remark = ""},
-      {.effects = {creep}, .evidence = evidence(12240.0), .remark = ""},
-      {.effects = {effects.find("backlash")}, .evidence = evidence(14000.0), .remark = ""}};
+  diagnosis.odds.hypotheses = {weighed({&dry_friction}, 12000.0, 0.96), weighed({creep}, 12240.0, 0.04),
+                               weighed({effects.find("backlash")}, 14000.0, 0.0), weighed({}, 52000.0, 0.0)};
   const std::string text = rivals_text(diagnosis);
   EXPECT_THAT(text,
               HasSubstr("  Worse by little, so that a small error of the model may have decided; how to see each "
@@ -90,19 +84,18 @@ TEST(DiagnosisRivals, SaysOfThoseThatAreWorseByLittleHowToSeeThem) {
   EXPECT_THAT(rivals_text(diagnosis), Not(HasSubstr("Worse by little")));
 }
 
-TEST(DiagnosisRivals, AreNoneWithMoreEffectsThanTheAnswer) {
+// A heating that is too uncertain to be named, and that nothing is missing.
+TEST(DiagnosisRivals, SayWhatIsNotToBeRuledOut) {
   Diagnosis diagnosis = example();
   diagnosis.indistinguishable.clear();
   diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
-  diagnosis.compared_hypotheses = {
-      {.effects = {&dry_friction}, .evidence = compare::Evidence{.chi_square_after = 12000.0}, .remark = ""},
-      {.effects = {&dry_friction, &coil_heating},
-       .evidence = compare::Evidence{.chi_square_after = 11990.0},
-       .remark = ""}};
+  diagnosis.odds.hypotheses = {weighed({&dry_friction, &coil_heating}, 11990.0, 0.80),
+                               weighed({&dry_friction}, 12000.0, 0.14), weighed({}, 52000.0, 0.06)};
+  EXPECT_THAT(rivals_text(diagnosis), HasSubstr("  Not to be ruled out:\n"
+                                                "    dry_friction + coil_heating, with a probability of 0.800\n"
+                                                "    no effect, with a probability of 0.060\n"));
+  diagnosis.odds.hypotheses = {weighed({&dry_friction}, 12000.0, 1.0), weighed({}, 52000.0, 0.0)};
   EXPECT_THAT(rivals_text(diagnosis), HasSubstr("  Nothing else that was tried explains these data as well.\n"));
-  diagnosis.compared_hypotheses.back().evidence->criterion_gain = 810.0;  // that of the reported one is 800
-  EXPECT_THAT(rivals_text(diagnosis),
-              HasSubstr("  Nothing else that was tried explains these data as well with as few effects.\n"));
 }
 
 // A friction and a drag do what a friction that falls with the speed does: the names alone would not tell them apart.
@@ -112,14 +105,10 @@ TEST(DiagnosisRivals, SayWithHowManyNumbersAnEffectIsMeant) {
   const actuator::EffectKind* drag = effects.find("quadratic_drag");
   Diagnosis diagnosis = example();
   diagnosis.indistinguishable.clear();
-  diagnosis.effects = {{.kind = friction, .parameters = {}, .evidence = {}},
-                       {.kind = drag, .parameters = {}, .evidence = {.chi_square_after = 12000.0}}};
+  diagnosis.effects = {{.kind = friction, .parameters = {}}, {.kind = drag, .parameters = {}}};
   diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
-  diagnosis.compared_hypotheses = {
-      {.effects = {friction, drag}, .evidence = compare::Evidence{.chi_square_after = 12000.0}, .remark = ""},
-      {.effects = {friction->with_further_numbers()},
-       .evidence = compare::Evidence{.chi_square_after = 12200.0},
-       .remark = ""}};
+  diagnosis.odds.hypotheses = {weighed({friction, drag}, 12000.0, 0.9),
+                               weighed({friction->with_further_numbers()}, 12200.0, 0.1)};
   const std::string text = rivals_text(diagnosis);
   EXPECT_THAT(text,
               HasSubstr("\n    dry_friction (3 numbers) (residual 1.008, where what is reported leaves 1)\n      " +

@@ -67,10 +67,8 @@ What was assumed
 What was found
   dry_friction: Coulomb friction at the hinges
     torque_Nmm  0.61  0.58 to 0.64 (95 %)
-    residual on the fit runs: 2.082 times the noise without it, 1 with it (rms)
-    on runs left out in turn: takes away 97 % of the squared error above the noise
-    not tested on hold.csv: the other runs leave the effect's numbers too open to predict it;
-    record that motion a second time
+    there with a probability of 0.938
+  Left over: 1 times the noise, 2.082 without effects (rms, fit runs). It is noise with a probability of 0.875.
   Without any effect the declared numbers would have to be so far off, all together, that 25 % of the
   rigs built to their tolerances are as far off or further (above 1 %: that may be chance).
 
@@ -81,7 +79,17 @@ Errors on the runs that no fit has seen
     largest           9.1            5           1.2
 
 How sure, and what else it could be
-  These data cannot tell apart: coil_heating, magnet_heating. The simplest of them is reported.
+  These data cannot tell apart: coil_heating, magnet_heating. The first of them is reported.
+  Not to be ruled out:
+    end_stop, with a probability of 0.062
+  Compared, most probable first
+                      probability  residual     leaves noise
+    dry_friction            0.938         1            0.875  reported
+    end_stop                0.062     1.041  less than 0.001
+    no effect     less than 0.001     2.082  less than 0.001
+  probability: given that one of those that were fitted is true. residual: rms on the fit runs
+  over the noise, 1 is noise alone. leaves noise: the probability that what is lacking is less than a tenth
+  of the noise.
 
 What to do next
   Record this run (hot_hold): 1.05 A for 60 s: they part when hot; the explanations that are left differ there by 8.5 times the noise.
@@ -135,15 +143,46 @@ TEST(DiagnosisText, SaysFirstThatRunsThatNoFitHasSeenAreNotAtTheNoise) {
   EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("where noise alone makes")));
 }
 
-TEST(DiagnosisText, SaysWhyTheNearestEffectIsNotTheAnswer) {
+TEST(DiagnosisText, SaysHowProbableEachEffectIsAndWhatTheyLeaveTogether) {
   Diagnosis diagnosis = example();
+  diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
+  diagnosis.effects.push_back(stopped());
+  diagnosis.odds.hypotheses = {weighed({&end_stop, &dry_friction}, 12000.0, 0.5, 0.9995),
+                               weighed({&dry_friction}, 13000.0, 0.25), weighed({}, 48000.0, 0.25)};
+  const std::string text = text_of(diagnosis);
+  EXPECT_THAT(text, HasSubstr("0.58 to 0.64 (95 %)\n    there with a probability of 0.750\n  end_stop: a stop\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("(chosen)\n    there with a probability of 0.500\n"
+                "  Left over: 1 times the noise, 2 without effects (rms, fit runs). It is noise with a probability of "
+                "more than 0.999.\n"));
+}
+
+TEST(DiagnosisText, SaysWhetherWhatIsLeftIsNoiseWhereNoEffectIsReported) {
+  Diagnosis diagnosis = example();
+  diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
   diagnosis.effects.clear();
   diagnosis.verdict = Verdict::unexplained;
-  diagnosis.compared_hypotheses = {
-      {.effects = {&coil_heating}, .evidence = {}, .remark = "fits best where it is absent"}};
-  EXPECT_THAT(text_of(diagnosis),
-              HasSubstr("  No effect that the data support.\n  coil_heating came nearest and is not "
-                        "the answer: fits best where it is absent.\n"));
+  diagnosis.odds.hypotheses = {weighed({&coil_heating}, 47000.0, 0.625), weighed({}, 48000.0, 0.375, 0.25)};
+  EXPECT_THAT(
+      text_of(diagnosis),
+      HasSubstr("  No effect that the data support.\n  Left over: 2 times the noise (rms, fit runs). It is noise with "
+                "a probability of 0.250.\n"));
+}
+
+// Where there is no answer yet, nothing is reported, and nothing is known of what is missing.
+TEST(DiagnosisText, ListsWhatWasComparedBeforeADiagnosisWasInterrupted) {
+  Diagnosis diagnosis = example();
+  diagnosis.effects.clear();
+  diagnosis.verdict = Verdict::incomplete;
+  diagnosis.before = diagnosis.after = {.level = 2.0};
+  diagnosis.odds.hypotheses = {weighed({&coil_heating}, 12000.0, 0.75, nan), weighed({}, 48000.0, 0.25, nan)};
+  const std::string text = text_of(diagnosis);
+  EXPECT_THAT(text, HasSubstr("                  probability  residual  leaves noise\n"
+                              "    coil_heating        0.750         1       unknown\n"
+                              "    no effect           0.250         2       unknown\n"));
+  EXPECT_THAT(text, HasSubstr("  probability: among those that were compared so far, by brief fits. residual:"));
+  EXPECT_THAT(text, Not(HasSubstr("What was found")));
 }
 
 TEST(DiagnosisText, SaysInItsFirstLinesThatDeclaredNumbersMovedFar) {

@@ -10,10 +10,10 @@
 
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/measurement/compare/estimate.hpp"
-#include "coilwright/measurement/compare/evidence.hpp"
 #include "coilwright/measurement/compare/hinted_effect.hpp"
 #include "coilwright/measurement/compare/number_off.hpp"
 #include "coilwright/measurement/compare/posterior.hpp"
+#include "coilwright/measurement/compare/verdict.hpp"
 #include "coilwright/measurement/correction/nameless_correction.hpp"
 #include "coilwright/measurement/data/dataset.hpp"
 #include "coilwright/measurement/error_comparison.hpp"
@@ -25,25 +25,13 @@
 
 namespace coilwright::measurement {
 
-/// The conclusion of a diagnosis; docs/theory/measurement.md states the rule for each.
-enum class Verdict {
-  no_missing_effect,     ///< the recalibrated declared model already leaves noise
-  declared_numbers_off,  ///< declared numbers leave noise, moved further than their tolerances make likely (1 in 100),
-                         ///< or one by itself is off (Diagnosis::numbers_off)
-  explained,             ///< with the effects the residual is noise
-  partly_explained,      ///< an effect improves the model significantly, structure remains
-  unexplained,           ///< structure remains, and the data support no effect
-  incomplete             ///< there is no conclusion: the diagnosis was interrupted
-};
-
-/// "partly_explained".
-[[nodiscard]] std::string_view name_of(Verdict verdict);
+using compare::name_of;
+using compare::Verdict;
 
 /// An effect that the diagnosis adds to the declared model.
 struct AddedEffect {
   const actuator::EffectKind* kind{};
   std::vector<compare::Estimate> parameters{};
-  compare::Evidence evidence{};
 };
 
 /// A declared number with a tolerance, and where the data move it.
@@ -67,8 +55,8 @@ struct Phase {
 /// Everything that `diagnose` found.
 struct Diagnosis {
   Verdict verdict{};
-  std::vector<AddedEffect> effects{};  ///< in the order in which they were added
-  compare::Posterior odds{};           ///< of the hypotheses that were fitted; empty where it was interrupted
+  std::vector<AddedEffect> effects{};
+  compare::Posterior odds{};  ///< of the hypotheses that were fitted; of those that were compared, where interrupted
   /// Effects beside those that the data hint at, and whose absence they do not show: intervals have what they would do.
   std::vector<compare::HintedEffect> hinted{};
   /// Sets of effects that these data cannot distinguish.
@@ -89,7 +77,6 @@ struct Diagnosis {
   double model_error = 1.0;
   std::vector<std::string> held_exact{};  ///< declared numbers of which nothing was assumed but that they are exact
   std::vector<Outliers> outliers{};       ///< those of the fit runs first
-  std::vector<compare::ComparedHypothesis> compared_hypotheses{};  ///< best first
   whiteness::WhitenessResult before{}, after{};
   std::optional<localise::ResidualTorque> residual{};  ///< of the model with the effects; nothing if no run is a motion
   /// A torque without a name, where structure remains (partly_explained, unexplained) and the data carry one. It
@@ -121,6 +108,7 @@ struct DiagnosisOptions {
   /// Called with what is known so far, the verdict being Verdict::incomplete: once the model is recalibrated, and for
   /// each hypothesis that was compared since; never from two threads at once. Nothing that costs a simulation is in it.
   std::function<void(const Diagnosis&)> known{};
+  std::vector<compare::Belief> beliefs{};  ///< of effects of the catalogue, each at most once
   /// Effects that the declared model may lack; the diagnosis refers to their kinds.
   actuator::EffectCatalogue effects = actuator::standard_effects();
 };

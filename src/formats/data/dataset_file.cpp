@@ -9,11 +9,13 @@
 #include <set>
 #include <utility>
 
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/measurement/data/copied_runs.hpp"
 #include "coilwright/measurement/data/data_quality.hpp"
 #include "coilwright/measurement/data/hold_out.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
+#include "coilwright/text/spelling.hpp"
 #include "formats/data/layout_format.hpp"
 #include "formats/data/run_entry.hpp"
 #include "formats/data/run_words.hpp"
@@ -66,6 +68,19 @@ Tolerances read_tolerances(const Node& node) {
   return out;
 }
 
+std::vector<measurement::compare::Belief> read_beliefs(const Node& node) {
+  std::vector<std::string> known;
+  for (const actuator::EffectKind* kind : actuator::standard_effects().kinds()) known.emplace_back(kind->id());
+  std::vector<measurement::compare::Belief> out;
+  for (const Node& each : node.members()) {
+    if (std::ranges::find(known, each.key()) == known.end())
+      throw each.error_without_value("must be called by the id of an effect (coilwright list effects)" +
+                                     did_you_mean(each.key(), known));
+    out.push_back({.effect = each.key(), .probability = each.number(Rule::above(0.0).and_also(Rule::below(1.0)))});
+  }
+  return out;
+}
+
 Dataset read_runs(const Node& node, const LayoutEntry& layout, const measurement::data::InputUncertainty& usual,
                   std::vector<std::filesystem::path>& files) {
   std::set<std::filesystem::path> met;
@@ -110,6 +125,7 @@ DatasetFile read_document(const Document& document) {
     if (const auto actuator = in.find_not_null("actuator")) out.actuator = actuator->path();
     out.calibrate = read_calibrate(in);
     if (const auto tolerances = in.find_not_null("tolerances")) out.tolerances = read_tolerances(*tolerances);
+    if (const auto beliefs = in.find_not_null("effect_probabilities")) out.beliefs = read_beliefs(*beliefs);
     const LayoutEntry layout = read_layout(in, {});
     const measurement::data::InputUncertainty usual = read_input_uncertainty(in);
     const Node runs = in.at("runs");

@@ -82,23 +82,24 @@ bool is_reported(const measurement::Diagnosis& diagnosis, std::span<const actuat
          });
 }
 
-std::vector<measurement::compare::ComparedHypothesis> compared_as_reported(const measurement::Diagnosis& diagnosis) {
-  std::vector<measurement::compare::ComparedHypothesis> out = diagnosis.compared_hypotheses;
-  for (measurement::compare::ComparedHypothesis& candidate : out) {
-    if (!candidate.evidence || !is_reported(diagnosis, candidate.effects)) continue;
-    const measurement::compare::Evidence& last = diagnosis.effects.back().evidence;
-    measurement::compare::Evidence reported{
-        .chi_square_before = diagnosis.effects.front().evidence.chi_square_before,
-        .chi_square_after = last.chi_square_after,
-        .cross_validated_gain =
-            diagnosis.effects.size() == 1 ? last.cross_validated_gain : std::numeric_limits<double>::quiet_NaN(),
-        .untold_runs = diagnosis.effects.size() == 1 ? last.untold_runs : std::vector<std::string>{},
-        .correlation_time = last.correlation_time};
-    for (const measurement::AddedEffect& effect : diagnosis.effects)
-      reported.criterion_gain += effect.evidence.criterion_gain;
-    candidate.evidence = reported;
-  }
-  return out;
+const measurement::compare::WeighedHypothesis* reported_hypothesis(const measurement::Diagnosis& diagnosis) {
+  const auto found =
+      std::ranges::find_if(diagnosis.odds.hypotheses, [&](const measurement::compare::WeighedHypothesis& each) {
+        return diagnosis.effects.empty() ? each.effects.empty() : is_reported(diagnosis, each.effects);
+      });
+  return found == diagnosis.odds.hypotheses.end() ? nullptr : &*found;
+}
+
+double chi_square_without_effects(const measurement::Diagnosis& diagnosis) {
+  for (const measurement::compare::WeighedHypothesis& each : diagnosis.odds.hypotheses)
+    if (each.effects.empty()) return each.chi_square;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+double probability_of(const measurement::Diagnosis& diagnosis, const actuator::EffectKind& kind) {
+  for (const auto& [effect, probability] : diagnosis.odds.effects())
+    if (effect == kind.id()) return probability;
+  return 0.0;
 }
 
 std::string_view name_of(ChannelKind quantity) {

@@ -74,19 +74,10 @@ Json outliers_json(const Outliers& each) {
                        {"times_s", Json::numbers(each.times)}});
 }
 
-Json evidence_json(const compare::Evidence& evidence) {
-  return Json::object({{"chi_square_before", number_or_null(evidence.chi_square_before)},
-                       {"chi_square_after", number_or_null(evidence.chi_square_after)},
-                       {"criterion_gain", number_or_null(evidence.criterion_gain)},
-                       {"cross_validated_gain", number_or_null(evidence.cross_validated_gain)},
-                       {"not_cross_validated", Json::list(evidence.untold_runs)},
-                       {"correlation_time_samples", number_or_null(evidence.correlation_time)}});
-}
-
-Json effect_json(const AddedEffect& effect) {
+Json effect_json(const Diagnosis& diagnosis, const AddedEffect& effect) {
   return Json::object({{"id", effect.kind->id()},
                        {"parameters", estimates_json(effect.parameters)},
-                       {"evidence", evidence_json(effect.evidence)}});
+                       {"evidence", Json::object({{"probability", probability_of(diagnosis, *effect.kind)}})}});
 }
 
 Json errors_json(const Errors& errors, const units::Unit& unit) {
@@ -166,25 +157,31 @@ Json correction_json(const Diagnosis& diagnosis) {
        {"smallest", place_json(found, found.smallest)}});
 }
 
-Json candidate_json(const compare::ComparedHypothesis& candidate) {
-  return Json::object({{"effects", ids_json(candidate.effects)},
-                       {"evidence", candidate.evidence ? evidence_json(*candidate.evidence) : Json()},
-                       {"remark", text_or_null(candidate.remark)}});
+Json candidate_json(const compare::WeighedHypothesis& each) {
+  return Json::object({{"effects", ids_json(each.effects)},
+                       {"probability", number_or_null(each.probability)},
+                       {"log_evidence", number_or_null(each.log_evidence)},
+                       {"chi_square", number_or_null(each.chi_square)},
+                       {"lacks_over_noise", number_or_null(each.lacks)},
+                       {"lacks_over_samples", number_or_null(each.lacks_over)},
+                       {"probability_of_noise", number_or_null(each.probability_of_noise)}});
 }
 
-// Of each effect in a hypothesis that was fitted, the most probable first.
+Json ruled_out_json(const compare::RuledOut& each) {
+  return Json::object({{"effects", ids_json(each.effects)}, {"remark", each.remark}});
+}
+
+// Of each effect in a hypothesis that was fitted, the most probable first; of no effect; and of what is reported, that
+// what it leaves is noise.
 Json odds_json(const Diagnosis& diagnosis) {
   const compare::Posterior& odds = diagnosis.odds;
-  if (odds.hypotheses.empty()) return nullptr;
+  const compare::WeighedHypothesis* reported = reported_hypothesis(diagnosis);
+  if (reported == nullptr) return nullptr;
   Json effects = Json::object();
   for (const auto& [id, probability] : odds.effects()) effects.set(std::string(id), probability);
-  return Json::object({{"no_effect", odds.probability_of(std::vector<const actuator::EffectKind*>())},
+  return Json::object({{"no_effect", number_or_null(odds.probability_of(std::vector<const actuator::EffectKind*>()))},
                        {"effects", std::move(effects)},
-                       {"hypotheses", Json::list(odds.hypotheses, [](const compare::WeighedHypothesis& each) {
-                          return Json::object({{"effects", ids_json(each.effects)},
-                                               {"probability", each.probability},
-                                               {"log_evidence", number_or_null(each.log_evidence)}});
-                        })}});
+                       {"noise", number_or_null(reported->probability_of_noise)}});
 }
 
 Json adequacy_json(const whiteness::WhitenessResult& adequacy) {
@@ -252,7 +249,8 @@ Json summary_json(const DiagnosisSummary& summary) {
 Json to_json(const DiagnosisReport& report) {
   const Diagnosis& diagnosis = report.diagnosis;
   Json out = Json::object({{"format", "diagnosis/1"}, {"verdict", name_of(diagnosis.verdict)}});
-  out.set("effects", Json::list(diagnosis.effects, effect_json))
+  out.set("effects",
+          Json::list(diagnosis.effects, [&](const AddedEffect& each) { return effect_json(diagnosis, each); }))
       .set("indistinguishable", Json::list(diagnosis.indistinguishable, ids_json));
   out.set("error", Json::object({{"validate", comparisons_json(diagnosis.validate_errors)},
                                  {"fit", comparisons_json(diagnosis.fit_errors)}}));
@@ -275,7 +273,8 @@ Json to_json(const DiagnosisReport& report) {
   out.set("nameless_correction", correction_json(diagnosis));
   out.set("no_correction", text_or_null(diagnosis.correction.reason));
   out.set("residual", residual_json(diagnosis))
-      .set("candidates", Json::list(compared_as_reported(diagnosis), candidate_json));
+      .set("candidates", Json::list(diagnosis.odds.hypotheses, candidate_json))
+      .set("ruled_out", Json::list(diagnosis.odds.ruled_out, ruled_out_json));
   out.set("odds", odds_json(diagnosis));
   out.set("noise", Json::list(diagnosis.noise, noise_json))
       .set("warnings", Json::list(diagnosis.warnings, warning_json));

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "coilwright/algebra/spectral.hpp"
-#include "coilwright/measurement/compare/decision_thresholds.hpp"
 #include "measurement/compare/profile_likelihood.hpp"
 #include "measurement/fit/scales.hpp"
 
@@ -14,24 +13,6 @@ namespace coilwright::measurement::compare {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// The square of Birge's ratio of the declared numbers: 1 as long as chance can have moved them together as far as they
-// are.
-double squared_birge_ratio(const FittedHypothesis& fitted) {
-  if (probability_of_declared_numbers(fitted) >= decision_thresholds.least_probability) return 1.0;
-  const auto count = std::ranges::count_if(fitted.hypothesis.parameters(), &fit::FitParameter::has_prior);
-  return std::max(1.0, fitted.fit.prior_chi_square / static_cast<double>(count));
-}
-
-// What data and priors say together of the numbers. Where some are off by far more than their tolerances, nobody knows
-// that of the others to be better: all tolerances are taken larger by Birge's ratio.
-Eigen::MatrixXd information(const FittedHypothesis& fitted) {
-  const fit::Fit& there = fitted.fit;
-  const double squared_ratio = squared_birge_ratio(fitted);
-  if (squared_ratio == 1.0) return there.normal_matrix;
-  const Eigen::MatrixXd prior = fitted.hypothesis.prior_jacobian(there.values, there.model_error);
-  return there.normal_matrix - (1.0 - 1.0 / squared_ratio) * prior.transpose() * prior;
-}
 
 // The directions that the data determine, in scaled numbers.
 struct DeterminedModes {
@@ -47,7 +28,7 @@ DeterminedModes determined_modes(const FittedHypothesis& fitted) {
   const Eigen::VectorXd scales = fit::scales_at(fitted.hypothesis, fitted.fit.values);
   DeterminedModes out{
       .scales = scales,
-      .modes = algebra::symmetric_modes(scales.asDiagonal() * information(fitted) * scales.asDiagonal())};
+      .modes = algebra::symmetric_modes(scales.asDiagonal() * fitted.fit.normal_matrix * scales.asDiagonal())};
   const double least = undetermined * out.modes.values.maxCoeff();
   for (const double value : out.modes.values) out.of_modes.push_back(value > least);
   for (Eigen::Index i = 0; i < scales.size(); ++i) {
@@ -103,6 +84,15 @@ Estimate local_estimate(const fit::FitParameter& parameter, double value, double
   if (out.upper > parameter.upper) out.upper = infinity;
   out.determined = std::isfinite(out.lower) || std::isfinite(out.upper);
   return out;
+}
+
+void widen(Estimate& estimate, const fit::FitParameter& parameter, double variance) {
+  const double reach = normal_95 * std::sqrt(variance);
+  estimate.lower = estimate.value - std::hypot(estimate.value - estimate.lower, reach);
+  estimate.upper = estimate.value + std::hypot(estimate.upper - estimate.value, reach);
+  if (estimate.lower < parameter.lower) estimate.lower = -infinity;
+  if (estimate.upper > parameter.upper) estimate.upper = infinity;
+  estimate.determined = std::isfinite(estimate.lower) || std::isfinite(estimate.upper);
 }
 
 }  // namespace coilwright::measurement::compare

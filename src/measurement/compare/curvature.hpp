@@ -8,9 +8,7 @@
 namespace coilwright::measurement::compare {
 
 /// Standard deviations of all parameters from the curvature at the optimum, SI; infinite where the data do not
-/// determine one. Where declared numbers are off, all together, by more than chance has it (1 %), the tolerances behind
-/// them are taken larger by Birge's ratio, the root of the mean square of the tolerances moved (R. T. Birge, Phys. Rev.
-/// 40 (1932) 207): nobody knows those of the others to be better.
+/// determine one.
 [[nodiscard]] Eigen::VectorXd standard_deviations(const FittedHypothesis& fitted, double overdispersion);
 
 /// What the data leave of all parameters together, SI: zeros in the rows and columns of those that they do not
@@ -19,5 +17,10 @@ namespace coilwright::measurement::compare {
 
 /// The 95 % interval of a normal distribution, open where it passes a physical bound.
 [[nodiscard]] Estimate local_estimate(const fit::FitParameter& parameter, double value, double deviation);
+
+/// Widens an interval by a variance that is added to its own, whatever that is from (the curvature, a profile, a scan
+/// of local optima): on each side, so that it stays as uneven as it is. Ends that pass a physical bound are open, as
+/// those are that the data do not set.
+void widen(Estimate& estimate, const fit::FitParameter& parameter, double variance);
 
 }  // namespace coilwright::measurement::compare

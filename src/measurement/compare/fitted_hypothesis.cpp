@@ -53,13 +53,4 @@ double quasi_bic(const FittedHypothesis& fitted, double overdispersion) {
          static_cast<double>(fitted.hypothesis.size()) * penalty_per_number(fitted, overdispersion);
 }
 
-Evidence evidence_between(std::span<const replay::PreparedRun> runs, const FittedHypothesis& without,
-                          const FittedHypothesis& with, double overdispersion) {
-  return {.chi_square_before = without.fit.chi_square,
-          .chi_square_after = with.fit.chi_square,
-          .criterion_gain = quasi_bic(without, overdispersion) - quasi_bic(with, overdispersion),
-          .cross_validated_gain = std::numeric_limits<double>::quiet_NaN(),
-          .correlation_time = whiteness::correlation_time(fit::scaled_residuals(runs, with.fit))};
-}
-
 }  // namespace coilwright::measurement::compare

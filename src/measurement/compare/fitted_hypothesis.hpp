@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "coilwright/measurement/compare/evidence.hpp"
 #include "coilwright/measurement/whiteness/whiteness_test.hpp"
 #include "measurement/fit/fit.hpp"
 
@@ -39,9 +38,5 @@ struct FittedHypothesis {
 /// Quasi-BIC of a hypothesis, the smaller the better: chi-square over the overdispersion, plus a penalty for every
 /// parameter (Schwarz 1978, with the number of independent samples).
 [[nodiscard]] double quasi_bic(const FittedHypothesis& fitted, double overdispersion);
-
-/// What `with` explains beyond `without`. Its cross-validated gain is NaN: see cross_validation.hpp.
-[[nodiscard]] Evidence evidence_between(std::span<const replay::PreparedRun> runs, const FittedHypothesis& without,
-                                        const FittedHypothesis& with, double overdispersion);
 
 }  // namespace coilwright::measurement::compare

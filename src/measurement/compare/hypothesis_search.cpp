@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -22,7 +22,6 @@
 #include "measurement/compare/recalibration.hpp"
 #include "measurement/compare/rig_scale.hpp"
 #include "measurement/compare/search_effort.hpp"
-#include "measurement/compare/select_hypothesis.hpp"
 #include "measurement/compare/settled_model_error.hpp"
 #include "measurement/compare/staged_fit.hpp"
 #include "measurement/compare/window_subsample.hpp"
@@ -57,7 +56,7 @@ std::string effects_text(std::size_t count) {
 
 struct ApplicableKinds {
   std::vector<const EffectKind*> kinds{};
-  std::vector<ComparedHypothesis> inapplicable{};
+  std::vector<RuledOut> inapplicable{};
 };
 
 ApplicableKinds applicable_kinds(const actuator::EffectCatalogue& catalogue, const Model& nominal) {
@@ -80,8 +79,11 @@ class HypothesisSearch {
   // While `may_find_outliers`, the search ends where the best hypothesis of a size shows more of them. While
   // `may_weigh_priors`, the runs get the model error of the recalibrated model if that is far from the noise, and long
   // records are searched in part.
-  HypothesisSearch(const AttributionRequest& request, bool may_find_outliers, bool may_weigh_priors)
+  // `singles`: where a comparison with these outliers had its single effects.
+  HypothesisSearch(const AttributionRequest& request, bool may_find_outliers, bool may_weigh_priors,
+                   std::vector<Effect>& singles)
       : request_(request),
+        singles_(singles),
         runs_(request.runs),
         may_find_outliers_(may_find_outliers),
         may_weigh_priors_(may_weigh_priors) {}
@@ -95,30 +97,33 @@ class HypothesisSearch {
     ApplicableKinds applicable = applicable_kinds(request_.effects, nominal);
     kinds_ = std::move(applicable.kinds);
     recalibrated_ = &before;
-    if (request_.known) request_.known(before, so_far_);
+    if (request_.known) request_.known(before, first_impressions(before, {}, kinds_, request_.beliefs, 1.0));
     report(fmt::format("recalibrated: rms residual {:.3g} times the noise", before.whiteness.level));
     const std::optional<FittedHypothesis> on_some = on_subsample_if_far(before);
     compared_with_ = on_some ? &*on_some : &before;
 
     std::vector<FittedHypothesis> all = compare_levels(on_some ? *on_some : before);
     if (found_outliers_) return std::nullopt;
-    std::vector<ComparedHypothesis> on_some_only;
+    std::vector<RuledOut> on_some_only;
     if (on_some) {
       const std::vector<FittedHypothesis> best = split_off_the_best(all, overdispersion_);
-      const std::vector<FittedHypothesis> others = std::exchange(all, back_on_all_windows(best));
-      on_some_only = subsample_->compared(*on_some, others, overdispersion_);
+      for (const FittedHypothesis& each : std::exchange(all, back_on_all_windows(best)))
+        on_some_only.push_back(
+            {.effects = each.kinds(),
+             .remark = fmt::format("was fitted to {} only, where others are better", subsample_->text())});
     }
-    Posterior posterior = posterior_of(before, all, kinds_, scale_, overdispersion_);
-    Selection selection = select_hypothesis(runs_, before, std::move(all), overdispersion_);
-    Attribution out{.steps = {before}, .overdispersion = overdispersion_};
-    std::ranges::move(selection.steps, std::back_inserter(out.steps));
-    out.posterior = std::move(posterior);
-    out.kinds = kinds_;
-    out.scale = scale_;
-    out.rivals = std::move(selection.rivals);
-    out.indistinguishable = std::move(selection.indistinguishable);
-    for (auto* part : {&selection.ranked, &on_some_only, &applicable.inapplicable, &failed_, &selection.ruled_out})
-      std::ranges::move(*part, std::back_inserter(out.compared));
+    WeighedHypotheses weighed = posterior_of(runs_, before, all, kinds_, scale_, request_.beliefs);
+    const auto fit_of = [&](std::size_t place) -> const FittedHypothesis& {
+      return weighed.fits[place] == 0 ? before : all[weighed.fits[place] - 1];
+    };
+    Answer answer = answer_of(weighed.posterior);
+    Attribution out{.before = before, .after = fit_of(answer.reported), .kinds = kinds_, .scale = scale_};
+    for (const std::size_t rival : answer.rivals) out.rivals.push_back(fit_of(rival));
+    out.posterior = std::move(weighed.posterior);
+    out.weighed = std::move(weighed.weighed);
+    out.answer = std::move(answer);
+    for (auto* part : {&on_some_only, &applicable.inapplicable, &failed_})
+      std::ranges::move(*part, std::back_inserter(out.posterior.ruled_out));
     return out;
   }
 
@@ -135,12 +140,11 @@ class HypothesisSearch {
     overdispersion_ = overdispersion_of(runs_, nearest_or(level, before));
     double above_noise = before.chi_square_above_noise();
     double of_the_size_before = before.fit.objective();
-    bool is_last = false;
     for (std::size_t size = 1;; ++size) {
       sort(level);
       // Asked before runs are spent on the best of this level, and again of what these find.
       if (shows_more_outliers(level)) break;
-      if (is_last || is_worth_other_starts(before, level, of_the_size_before))
+      if (is_worth_other_starts(before, level, of_the_size_before))
         level = at_better_optima(std::move(level), of_the_size_before, size);
       if (!level.empty()) {
         const FittedHypothesis& best = level.front();
@@ -150,17 +154,18 @@ class HypothesisSearch {
       }
       if (shows_more_outliers(level)) break;
       all.insert(all.end(), level.begin(), level.end());
-      // Where declared numbers alone leave noise, more effects than one would only share what these do.
-      if (before.whiteness.is_white() || size == search_effort.largest_hypothesis || is_last) break;
-      const bool is_answered = leaves_noise(level);
-      is_last = is_answered && !another_is_decisive(before, level);
-      if (is_last && !leaves_noise_by_further_numbers_only(level)) break;
-      if (is_answered) keep_what_more_may_improve(level, is_last);
+      // Where declared numbers alone leave noise, two effects would only share what the integrator leaves: a lag and
+      // its opposite delay of 13 microseconds each "gained" 60 on a noisy torque.
+      if (before.whiteness.is_white()) break;
+      if (leaves_noise(level)) {
+        fit_what_may_hold_weight(before, screened, all);
+        break;
+      }
+      if (size == search_effort.largest_hypothesis) break;
       const double left = level.empty() ? above_noise : level.front().chi_square_above_noise();
       const bool worth_extending = size == 1 || left <= search_effort.worth_another_effect * above_noise;
-      std::vector<ScreenedCombination> combined;
-      if (!is_answered || is_last)
-        combined = combinations_by_predicted_fall(before, screened, size + 1, search_effort.combinations);
+      std::vector<ScreenedCombination> combined =
+          combinations_by_predicted_fall(before, screened, size + 1, search_effort.combinations);
       // Where one effect more is not worth its runs, only effects that help together are.
       if (!worth_extending)
         std::erase_if(combined, [&](const ScreenedCombination& each) {
@@ -177,6 +182,68 @@ class HypothesisSearch {
     return all;
   }
 
+  // An answer is there. Larger hypotheses count as impossible unless they are fitted: those that would hold a hundredth
+  // of the answer's weight by what their directions predict are. They add an effect to one of the best, or are the best
+  // combinations of all directions, whose parts need explain nothing alone.
+  void fit_what_may_hold_weight(const FittedHypothesis& before, const Screened& screened,
+                                std::vector<FittedHypothesis>& all) {
+    if (all.empty()) return;
+    std::vector<const FittedHypothesis*> best{&before};
+    for (const FittedHypothesis& each : all) best.push_back(&each);
+    std::ranges::stable_sort(best, std::ranges::greater{},
+                             [&](const FittedHypothesis* each) { return log_weight(*each); });
+    best.resize(std::min(best.size(), search_effort.extended));
+    const double least = log_weight(*best.front()) + std::log(search_effort.least_weight);
+    std::vector<std::pair<double, PlannedExtension>> promising;
+    const auto consider = [&](const FittedHypothesis& base, const std::vector<Effect>& effects, double fall) {
+      if (base.hypothesis.effects().size() + effects.size() > search_effort.largest_hypothesis) return;
+      if (const double promised = promised_log_weight(base, effects, fall); promised >= least)
+        promising.emplace_back(promised, PlannedExtension{.base = &base, .starts = {effects}});
+    };
+    for (const FittedHypothesis* base : best)
+      if (base != &before)
+        for (const ScreenedEffect& each : screen(*base)) consider(*base, {each.effect}, each.predicted_chi_square_fall);
+    const std::size_t size = std::max<std::size_t>(2, best.front()->hypothesis.effects().size());
+    for (const ScreenedCombination& each :
+         combinations_by_predicted_fall(before, screened, size, search_effort.combinations))
+      consider(before, each.effects, each.predicted_chi_square_fall);
+    std::ranges::stable_sort(promising, std::ranges::greater{}, &std::pair<double, PlannedExtension>::first);
+    std::vector<PlannedExtension> planned;
+    for (auto& each : promising) planned.push_back(std::move(each.second));
+    planned = without_repetitions(std::move(planned));
+    std::erase_if(planned, [&](const PlannedExtension& each) { return is_among(all, each.kinds()); });
+    planned.resize(std::min(planned.size(), search_effort.combinations));
+    if (planned.empty()) return;
+    report(fmt::format("{} larger hypotheses may hold weight", planned.size()));
+    HypothesesOfSize fitted = best_of(planned, planned.size());
+    all.insert(all.end(), std::make_move_iterator(fitted.begin()), std::make_move_iterator(fitted.end()));
+  }
+
+  [[nodiscard]] static bool is_among(const std::vector<FittedHypothesis>& all,
+                                     const std::vector<const EffectKind*>& kinds) {
+    return std::ranges::any_of(
+        all, [&](const FittedHypothesis& each) { return std::ranges::is_permutation(each.kinds(), kinds); });
+  }
+
+  // By Schwarz's approximation of the evidence, up to a constant.
+  [[nodiscard]] double log_weight(const FittedHypothesis& fitted) const {
+    return log_prior(fitted.kinds(), kinds_, request_.beliefs) - 0.5 * quasi_bic(fitted, overdispersion_);
+  }
+
+  // The same of a hypothesis with further effects, whose chi-square falls by so much.
+  [[nodiscard]] double promised_log_weight(const FittedHypothesis& base, const std::vector<Effect>& effects,
+                                           double fall) const {
+    std::vector<const EffectKind*> kinds = base.kinds();
+    double numbers = 0.0;
+    for (const Effect& each : effects) {
+      kinds.push_back(each.kind);
+      numbers += static_cast<double>(std::max<std::size_t>(1, each.values.size()));
+    }
+    return log_prior(kinds, kinds_, request_.beliefs) -
+           0.5 * (quasi_bic(base, overdispersion_) - fall / overdispersion_ +
+                  numbers * penalty_per_number(base, overdispersion_));
+  }
+
   void sort(HypothesesOfSize& level) const {
     std::ranges::stable_sort(level, {},
                              [this](const FittedHypothesis& each) { return quasi_bic(each, overdispersion_); });
@@ -190,29 +257,6 @@ class HypothesisSearch {
         });
     sort(level);
     return level;
-  }
-
-  // Keeps hypotheses with white residuals, if any. These are the answer, alone or with one effect more: neither other
-  // hypotheses of their size nor combinations without them are nearer to one. Where only further numbers leave noise
-  // (`is_last`), two effects may do what these do: a friction and a drag, what a friction that falls with the speed
-  // does. They compete, and end the search.
-  void keep_what_more_may_improve(HypothesesOfSize& level, bool is_last) const {
-    std::erase_if(level, [&](const FittedHypothesis& each) {
-      return is_last ? has_further_numbers(each) : !each.whiteness.is_white();
-    });
-  }
-
-  // Whether one of its effects has numbers beyond those of the catalogue (EffectKind::with_further_numbers).
-  [[nodiscard]] bool has_further_numbers(const FittedHypothesis& fitted) const {
-    return std::ranges::any_of(
-        fitted.kinds(), [this](const EffectKind* kind) { return std::ranges::find(kinds_, kind) == kinds_.end(); });
-  }
-
-  // What leaves noise needs them for that.
-  [[nodiscard]] bool leaves_noise_by_further_numbers_only(const HypothesesOfSize& level) const {
-    return std::ranges::none_of(level, [this](const FittedHypothesis& each) {
-      return each.whiteness.is_white() && !has_further_numbers(each);
-    });
   }
 
   // Where the model without effects leaves noise and the best of a level (sorted) is not decisively better, other
@@ -278,33 +322,26 @@ class HypothesisSearch {
     return screen_effects(runs_, base, {.kinds = kinds_, .scale = scale_});
   }
 
-  // Whether the best of a level (sorted) is decisively better than the model without effects, and one more effect would
-  // be decisive again, and worth its name, by its screening. A residual may pass as white because few samples tell
-  // little of the noise; what an effect takes away from it does not depend on that.
-  [[nodiscard]] bool another_is_decisive(const FittedHypothesis& before, const HypothesesOfSize& level) {
-    if (level.empty()) return false;
-    const FittedHypothesis& best = level.front();
-    if (!is_decisive(before, best)) return false;
-    const double per_number = penalty_per_number(best, overdispersion_);
-    const Screened more = screen(best);
-    return std::ranges::any_of(more, [&](const ScreenedEffect& each) {
-      const auto numbers = static_cast<double>(std::max<std::size_t>(1, each.guess.values.size()));
-      if (each.predicted_chi_square_fall < decision_thresholds.least_of_noise * best.fit.chi_square) return false;
-      return each.predicted_chi_square_fall / overdispersion_ - numbers * per_number >=
-             decision_thresholds.decisive_gain;
-    });
-  }
-
   // Every effect alone.
   [[nodiscard]] HypothesesOfSize single_effects(const FittedHypothesis& base, const Screened& screened) {
     std::vector<PlannedExtension> planned;
     for (const EffectKind* kind : kinds_) {
-      planned.push_back(one_more(base, starts_for_short_fit(kind, screened)));
+      std::vector<Effect> starts = starts_for_short_fit(kind, screened);
+      const auto known = std::ranges::find(singles_, kind, &Effect::kind);
+      if (known != singles_.end()) {
+        starts.resize(std::min<std::size_t>(starts.size(), 1));
+        starts.push_back(*known);
+      }
+      planned.push_back(one_more(base, starts));
+      if (known != singles_.end()) continue;
       // An effect of one number has one shape.
       if (kind->parameters().size() < 2) continue;
       for (Effect& start : own_starts(kind, screened)) planned.back().further_starts.push_back({std::move(start)});
     }
-    return best_of(planned, search_effort.refined_singles);
+    HypothesesOfSize out = best_of(planned, search_effort.refined_singles);
+    singles_.clear();
+    for (const FittedHypothesis& each : out) singles_.push_back(each.hypothesis.effects_at(each.fit.values).front());
+    return out;
   }
 
   // Hypotheses with one effect more than those of `level` (sorted, best first), and `combined` effects added to `base`.
@@ -330,9 +367,7 @@ class HypothesisSearch {
       reported = done;
     });
     for (const EffectKind* kind : fits.failed) {
-      ComparedHypothesis& out = failed_.emplace_back();
-      out.effects = {kind};
-      out.remark = "leaves the model from every start that was tried";
+      failed_.push_back({.effects = {kind}, .remark = "leaves the model from every start that was tried"});
     }
     return std::move(fits.level);
   }
@@ -340,30 +375,28 @@ class HypothesisSearch {
   // Of starts with several discrete choices the best one stands for the hypothesis.
   void make_known(const ShortFit& fit) {
     const FittedHypothesis fitted = score(runs_, fit.plan.hypothesis, fit.fitted);
-    ComparedHypothesis latest{.effects = fitted.kinds(),
-                              .evidence = evidence_between(runs_, *compared_with_, fitted, overdispersion_)};
-    const auto known = std::ranges::find(so_far_, latest.effects, &ComparedHypothesis::effects);
-    constexpr double none = -std::numeric_limits<double>::infinity();
-    const auto gain = [](const ComparedHypothesis& each) {
-      return each.evidence ? each.evidence->criterion_gain : none;
-    };
+    FirstImpression latest{.effects = fitted.kinds(),
+                           .chi_square = fitted.fit.chi_square,
+                           .criterion = quasi_bic(fitted, overdispersion_)};
+    const auto known = std::ranges::find(so_far_, latest.effects, &FirstImpression::effects);
     if (known == so_far_.end())
       so_far_.push_back(std::move(latest));
-    else if (gain(latest) > gain(*known))
+    else if (latest.criterion < known->criterion)
       *known = std::move(latest);
-    std::ranges::stable_sort(so_far_, std::greater{}, gain);
-    request_.known(*recalibrated_, so_far_);
+    request_.known(*recalibrated_,
+                   first_impressions(*compared_with_, so_far_, kinds_, request_.beliefs, overdispersion_));
   }
 
   const AttributionRequest& request_;
+  std::vector<Effect>& singles_;
   const FittedHypothesis* recalibrated_ = nullptr;
   const FittedHypothesis* compared_with_ = nullptr;  // the same on the windows of the search
-  std::vector<ComparedHypothesis> so_far_;           // by short fits
+  std::vector<FirstImpression> so_far_;              // by short fits
   std::unique_ptr<WindowSubsample> subsample_;       // null where the search uses all
   std::span<replay::PreparedRun> runs_;              // with all windows, or some
   actuator::RigScale scale_;
   std::vector<const EffectKind*> kinds_;
-  std::vector<ComparedHypothesis> failed_;
+  std::vector<RuledOut> failed_;
   bool may_find_outliers_;
   bool may_weigh_priors_;
   bool found_outliers_ = false;
@@ -379,30 +412,25 @@ Attribution attribute(const AttributionRequest& request) {
   };
   int restarts = 0;
   bool may_weigh_priors = true;
+  std::vector<Effect> singles;
   while (true) {
-    std::optional<Attribution> found = HypothesisSearch(request, restarts < most_restarts, may_weigh_priors).run();
+    std::optional<Attribution> found =
+        HypothesisSearch(request, restarts < most_restarts, may_weigh_priors, singles).run();
     if (!found) {
       say("more outliers are certain now: the comparison begins anew without them");
       ++restarts;
       continue;
     }
     const double searched = replay::model_error_of(request.runs);
-    const double left = model_error_of(request.runs, found->after());
+    const double left = model_error_of(request.runs, found->after);
     if (may_weigh_priors && left < search_effort.much_less_model_error * searched) {
       say("far less is left over than without effects: the comparison begins anew, weighed by what is left");
       set_model_error(request.runs, left);
       may_weigh_priors = false;
+      singles.clear();
       continue;
     }
-    const std::size_t samples = found->after().fit.samples();
-    Attribution out = with_settled_model_error(request.runs, std::move(*found));
-    // What is reported of the answer is what it is now; its rivals in the table stay as they were compared.
-    if (replay::model_error_of(request.runs) != searched || out.after().fit.samples() != samples ||
-        replay::weighs_input_errors(request.runs))
-      for (ComparedHypothesis& each : out.compared)
-        if (std::ranges::is_permutation(each.effects, out.after().kinds()))
-          each.evidence = evidence_between(request.runs, out.before(), out.after(), out.overdispersion);
-    return out;
+    return with_settled_model_error(request.runs, std::move(*found));
   }
 }
 

@@ -16,8 +16,10 @@ struct AttributionRequest {
   const replay::DeclaredModel* declared{};
   std::uint64_t seed = 1;  ///< random seed for the additional fit starts
   std::function<void(const std::string&)> progress{};
-  /// Called with the recalibrated model, and again with what has been compared since, best first; may be empty.
-  std::function<void(const FittedHypothesis&, const std::vector<ComparedHypothesis>&)> known{};
+  /// Called with the recalibrated model, and again with what has been compared since (first_impressions()); may be
+  /// empty.
+  std::function<void(const FittedHypothesis&, const Posterior&)> known{};
+  std::span<const Belief> beliefs{};
   actuator::EffectCatalogue effects = actuator::standard_effects();  ///< that the declared model may lack
 };
 

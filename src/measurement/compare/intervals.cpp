@@ -94,22 +94,6 @@ EstimatedHypothesis estimated(std::span<const replay::PreparedRun> runs, FittedH
   }
 }
 
-void widen_by_rivals(std::vector<Estimate>& estimates, std::span<const FittedHypothesis> rivals,
-                     double overdispersion) {
-  for (const FittedHypothesis& rival : rivals) {
-    const Eigen::VectorXd deviations = standard_deviations(rival, overdispersion);
-    for (std::size_t i = 0; i < rival.hypothesis.declared().calibration.size(); ++i) {
-      const auto number = static_cast<Eigen::Index>(i);
-      const Estimate there =
-          local_estimate(rival.hypothesis.parameters()[i], rival.fit.values[number], deviations[number]);
-      Estimate& estimate = estimates[i];
-      estimate.lower = std::min(estimate.lower, there.lower);
-      estimate.upper = std::max(estimate.upper, there.upper);
-      estimate.determined = std::isfinite(estimate.lower) || std::isfinite(estimate.upper);
-    }
-  }
-}
-
 std::vector<Estimate> estimates_of_effect(const FittedHypothesis& fitted, const std::vector<Estimate>& estimates,
                                           std::size_t effect) {
   const actuator::Effect found = fitted.hypothesis.effects_at(fitted.fit.values)[effect];
@@ -129,16 +113,6 @@ std::vector<Estimate> estimates_of_effect(const FittedHypothesis& fitted, const 
     }
   }
   return out;
-}
-
-bool excludes_absent(const FittedHypothesis& fitted, const std::vector<Estimate>& of_effect, std::size_t effect) {
-  const auto numbers = fitted.hypothesis.effects()[effect].kind->parameters();
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    if (!numbers[k].absent) continue;
-    const double absent = *numbers[k].absent;
-    if (of_effect[k].lower <= absent && absent <= of_effect[k].upper) return false;
-  }
-  return true;
 }
 
 }  // namespace coilwright::measurement::compare

@@ -22,26 +22,15 @@ struct EstimatedHypothesis {
 [[nodiscard]] FittedHypothesis refitted(std::span<const replay::PreparedRun> runs, FittedHypothesis fitted);
 
 /// 95 % intervals of all parameters: of the calibration from the curvature at the optimum, of the numbers of effects
-/// from the profile likelihood. Where declared numbers are off, all together, by more than chance has it (1 %), the
-/// tolerances behind the former are taken larger by Birge's ratio, the root of the mean square of the tolerances moved
-/// (R. T. Birge, Phys. Rev. 40 (1932) 207). If a profile reaches a better optimum than the fit had found, the
+/// from the profile likelihood. If a profile reaches a better optimum than the fit had found, the
 /// hypothesis is refitted from there first, and its intervals are those at the better optimum. `progress` is told now
 /// and then how many ends are known; it may be called from several threads, one at a time.
 [[nodiscard]] EstimatedHypothesis estimated(std::span<const replay::PreparedRun> runs, FittedHypothesis fitted,
                                             double overdispersion,
                                             const std::function<void(const std::string&)>& progress = {});
 
-/// Widens the intervals of the calibration until they contain those of the rivals, from the curvature at their optima:
-/// a stiffness is another one where a coil's lag is a late camera, and the data tell neither. `estimates` are those of
-/// estimated(), of the same declared model; the values stay.
-void widen_by_rivals(std::vector<Estimate>& estimates, std::span<const FittedHypothesis> rivals, double overdispersion);
-
 /// The estimates of one effect, discrete choices included, in the order of its kind's parameters.
 [[nodiscard]] std::vector<Estimate> estimates_of_effect(const FittedHypothesis& fitted,
                                                         const std::vector<Estimate>& estimates, std::size_t effect);
-
-/// Whether no interval of the effect's numbers contains the value at which the effect is absent.
-[[nodiscard]] bool excludes_absent(const FittedHypothesis& fitted, const std::vector<Estimate>& of_effect,
-                                   std::size_t effect);
 
 }  // namespace coilwright::measurement::compare

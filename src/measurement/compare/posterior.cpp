@@ -1,90 +1,21 @@
 #include "measurement/compare/posterior.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
 
-#include "coilwright/algebra/spectral.hpp"
+#include "measurement/compare/weighed_fit.hpp"
 
 namespace coilwright::measurement::compare {
 namespace {
 
-using actuator::Effect;
 using actuator::EffectKind;
-using actuator::EffectParameter;
-
-// What a magnitude is known to before the records are seen: a factor of ten either way.
-constexpr double log_deviation = std::numbers::ln10;
-// A number that the data leave open has a volume of so many of its typical changes.
-constexpr double precision_of_nothing = 1e-6;
-// A magnitude counts as no smaller than this fraction of a typical one: a fit that ends where its effect is absent.
-constexpr double least_magnitude = 1e-3;
-
-double normal_log_density(double u) {
-  return -0.5 * (u * u + std::log(2.0 * std::numbers::pi));
-}
-
-// The value at which the effect is absent, of a magnitude; nothing of a shape, or where it is at infinity.
-std::optional<double> origin_of(const EffectParameter& number) {
-  return number.absent && std::isfinite(*number.absent) ? number.absent : std::nullopt;
-}
-
-// Geometric mean of the catalogue's starts, from the origin.
-double typical(const EffectKind& kind, std::size_t number, const actuator::RigScale& scale) {
-  const double origin = origin_of(kind.parameters()[number]).value_or(0.0);
-  double sum = 0.0;
-  int count = 0;
-  for (const std::vector<double>& start : kind.starts(scale)) {
-    const double away = std::abs(start[number] - origin);
-    if (!(away > 0.0)) continue;
-    sum += std::log(away);
-    ++count;
-  }
-  return count == 0 ? 1.0 : std::exp(sum / count);
-}
-
-void add_log_normal(double magnitude, double about, PriorOfNumbers& out) {
-  const double held = std::max(magnitude, least_magnitude * about);
-  out.log_density += normal_log_density(std::log(held / about) / log_deviation);
-  out.slopes.push_back(held * log_deviation);
-  out.precisions.push_back(1.0);
-}
-
-void add_number(const Effect& effect, std::size_t index, const actuator::RigScale& scale, PriorOfNumbers& out) {
-  const EffectParameter& number = effect.kind->parameters()[index];
-  const double value = effect.values[index];
-  if (number.deviation) {
-    out.log_density += normal_log_density((value - number.absent.value_or(0.0)) / *number.deviation);
-    out.slopes.push_back(*number.deviation);
-    out.precisions.push_back(1.0);
-  } else if (const std::optional<double> origin = origin_of(number)) {
-    if (number.lower < *origin && *origin < number.upper) out.log_density -= std::numbers::ln2;
-    add_log_normal(std::abs(value - *origin), typical(*effect.kind, index, scale), out);
-  } else if (std::isfinite(number.lower) && std::isfinite(number.upper)) {
-    // What Laplace's approximation makes of a uniform prior is right where the data know more.
-    const double width = number.upper - number.lower;
-    out.slopes.push_back(width);
-    out.precisions.push_back(12.0);
-  } else {
-    add_log_normal(std::abs(value), typical(*effect.kind, index, scale), out);
-  }
-}
-
-// Effects by id, since an effect with further numbers is another kind.
-std::vector<std::string_view> ids_of(const std::vector<const EffectKind*>& effects) {
-  std::vector<std::string_view> out;
-  for (const EffectKind* kind : effects) out.push_back(kind->id());
-  std::ranges::sort(out);
-  return out;
-}
-
-bool is_same_hypothesis(const WeighedHypothesis& one, const WeighedHypothesis& other) {
-  return std::ranges::is_permutation(one.effects, other.effects);
-}
 
 double log_binomial(std::size_t of, std::size_t taken) {
   const auto n = static_cast<double>(of);
@@ -93,6 +24,13 @@ double log_binomial(std::size_t of, std::size_t taken) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> ids_of(const std::vector<const EffectKind*>& effects) {
+  std::vector<std::string_view> out;
+  for (const EffectKind* kind : effects) out.push_back(kind->id());
+  std::ranges::sort(out);
+  return out;
+}
 
 std::vector<Posterior::Inclusion> Posterior::effects() const {
   std::vector<Inclusion> out;
@@ -106,12 +44,6 @@ std::vector<Posterior::Inclusion> Posterior::effects() const {
   return out;
 }
 
-double Posterior::probability_of(std::string_view effect) const {
-  const std::vector<Inclusion> all = effects();
-  const auto found = std::ranges::find(all, effect, &Inclusion::effect);
-  return found == all.end() ? 0.0 : found->probability;
-}
-
 double Posterior::probability_of(const std::vector<const EffectKind*>& effects) const {
   double sum = 0.0;
   for (const WeighedHypothesis& each : hypotheses)
@@ -119,76 +51,80 @@ double Posterior::probability_of(const std::vector<const EffectKind*>& effects) 
   return sum;
 }
 
-PriorOfNumbers prior_of_numbers(const Effect& effect, const actuator::RigScale& scale) {
-  PriorOfNumbers out;
-  const std::span<const EffectParameter> numbers = effect.kind->parameters();
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (numbers[i].choices.empty())
-      add_number(effect, i, scale, out);
-    else
-      out.log_density -= std::log(static_cast<double>(numbers[i].choices.size()));
-  }
-  return out;
-}
-
-double log_evidence(const FittedHypothesis& fitted, const actuator::RigScale& scale, double overdispersion) {
-  const Eigen::Index size = fitted.hypothesis.size();
-  const auto declared = static_cast<Eigen::Index>(fitted.hypothesis.declared().calibration.size());
-  Eigen::VectorXd slopes(size);
-  Eigen::VectorXd precisions = Eigen::VectorXd::Zero(size);
-  double out = -0.5 * fitted.fit.objective() / overdispersion;
-  for (Eigen::Index i = 0; i < declared; ++i)
-    slopes[i] = fitted.hypothesis.parameters()[static_cast<std::size_t>(i)].scale;
-  Eigen::Index at = declared;
-  for (const Effect& effect : fitted.hypothesis.effects_at(fitted.fit.values)) {
-    const PriorOfNumbers prior = prior_of_numbers(effect, scale);
-    out += prior.log_density;
-    for (std::size_t k = 0; k < prior.slopes.size(); ++k, ++at) {
-      slopes[at] = prior.slopes[k];
-      precisions[at] = prior.precisions[k];
-    }
-  }
-  if (size == 0) return out;
-  Eigen::MatrixXd precision = slopes.asDiagonal() * fitted.fit.normal_matrix * slopes.asDiagonal() / overdispersion;
-  precision.diagonal() += precisions;
-  for (const double mode : algebra::symmetric_modes(precision).values)
-    out += 0.5 * (std::log(2.0 * std::numbers::pi) - std::log(std::max(mode, precision_of_nothing)));
-  return out;
-}
-
-double log_prior(const std::vector<const EffectKind*>& effects, const std::vector<const EffectKind*>& kinds) {
+double log_prior(const std::vector<const EffectKind*>& effects, const std::vector<const EffectKind*>& kinds,
+                 std::span<const Belief> beliefs) {
   double out =
       -std::numbers::ln2 * static_cast<double>(effects.size() + 1) - log_binomial(kinds.size(), effects.size());
-  for (const EffectKind* kind : effects)
+  const double log_odds_of_any = -std::log(std::max(1.0, static_cast<double>(kinds.size()) - 1.0));
+  for (const EffectKind* kind : effects) {
     if (kind->with_further_numbers() != nullptr || std::ranges::find(kinds, kind) == kinds.end())
       out -= std::numbers::ln2;
+    const auto believed = std::ranges::find(beliefs, kind->id(), &Belief::effect);
+    if (believed != beliefs.end())
+      out += std::log(believed->probability / (1.0 - believed->probability)) - log_odds_of_any;
+  }
   return out;
 }
 
-Posterior posterior_of(const FittedHypothesis& declared, const std::vector<FittedHypothesis>& fitted,
-                       const std::vector<const EffectKind*>& kinds, const actuator::RigScale& scale,
-                       double overdispersion) {
-  Posterior out;
-  const double without = log_evidence(declared, scale, overdispersion);
-  const auto weigh = [&](const FittedHypothesis& each) {
-    // For now the logarithm of its weight; it becomes a probability once all are known.
-    WeighedHypothesis weighed{.effects = each.kinds(),
-                              .log_evidence = log_evidence(each, scale, overdispersion) - without};
-    weighed.probability = weighed.log_evidence + log_prior(weighed.effects, kinds);
-    const auto known = std::ranges::find_if(
-        out.hypotheses, [&](const WeighedHypothesis& other) { return is_same_hypothesis(weighed, other); });
-    if (known == out.hypotheses.end())
-      out.hypotheses.push_back(std::move(weighed));
-    else if (weighed.probability > known->probability)
-      *known = std::move(weighed);
+WeighedHypotheses posterior_of(std::span<const replay::PreparedRun> runs, const FittedHypothesis& declared,
+                               const std::vector<FittedHypothesis>& fitted, const std::vector<const EffectKind*>& kinds,
+                               const actuator::RigScale& scale, std::span<const Belief> beliefs) {
+  std::vector<WeighedFit> all(1 + fitted.size());
+  const auto fit_of = [&](std::size_t i) -> const FittedHypothesis& { return i == 0 ? declared : fitted[i - 1]; };
+  tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) { all[i] = weighed(runs, fit_of(i), scale); });
+  std::vector<std::size_t> best;  // fit of each hypothesis
+  const auto log_weight = [&](std::size_t i) {
+    return all[i].log_evidence + log_prior(fit_of(i).kinds(), kinds, beliefs);
   };
-  weigh(declared);
-  for (const FittedHypothesis& each : fitted) weigh(each);
-  std::ranges::stable_sort(out.hypotheses, std::ranges::greater{}, &WeighedHypothesis::probability);
-  const double most = out.hypotheses.front().probability;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto known = std::ranges::find_if(
+        best, [&](std::size_t k) { return std::ranges::is_permutation(fit_of(i).kinds(), fit_of(k).kinds()); });
+    if (known == best.end())
+      best.push_back(i);
+    else if (log_weight(i) > log_weight(*known))
+      *known = i;
+  }
+  std::ranges::stable_sort(best, std::ranges::greater{}, log_weight);
   double sum = 0.0;
-  for (WeighedHypothesis& each : out.hypotheses) sum += each.probability = std::exp(each.probability - most);
-  for (WeighedHypothesis& each : out.hypotheses) each.probability /= sum;
+  for (const std::size_t i : best) sum += std::exp(log_weight(i) - log_weight(best.front()));
+  WeighedHypotheses out{.posterior = {}, .weighed = {}, .fits = best};
+  for (const std::size_t i : best) {
+    out.posterior.hypotheses.push_back({.effects = fit_of(i).kinds(),
+                                        .chi_square = fit_of(i).fit.chi_square,
+                                        .log_evidence = all[i].log_evidence - all.front().log_evidence,
+                                        .probability = std::exp(log_weight(i) - log_weight(best.front())) / sum,
+                                        .lacks = all[i].discrepancy.deviation,
+                                        .lacks_over = all[i].discrepancy.length,
+                                        .probability_of_noise = all[i].probability_of_noise});
+    out.weighed.push_back(std::move(all[i]));
+  }
+  return out;
+}
+
+Posterior first_impressions(const FittedHypothesis& declared, const std::vector<FirstImpression>& fits,
+                            const std::vector<const EffectKind*>& kinds, std::span<const Belief> beliefs,
+                            double overdispersion) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const double without = quasi_bic(declared, overdispersion);
+  Posterior out;
+  const auto add = [&](const std::vector<const EffectKind*>& effects, double chi_square, double criterion) {
+    out.hypotheses.push_back({.effects = effects,
+                              .chi_square = chi_square,
+                              .log_evidence = 0.5 * (without - criterion),
+                              .lacks = unknown,
+                              .lacks_over = unknown,
+                              .probability_of_noise = unknown});
+  };
+  add({}, declared.fit.chi_square, without);
+  for (const FirstImpression& each : fits) add(each.effects, each.chi_square, each.criterion);
+  const auto log_weight = [&](const WeighedHypothesis& each) {
+    return each.log_evidence + log_prior(each.effects, kinds, beliefs);
+  };
+  std::ranges::stable_sort(out.hypotheses, std::ranges::greater{}, log_weight);
+  const double most = log_weight(out.hypotheses.front());
+  double sum = 0.0;
+  for (WeighedHypothesis& each : out.hypotheses) sum += each.probability = std::exp(log_weight(each) - most);
+  for (WeighedHypothesis& each : out.hypotheses) each.probability = fits.empty() ? unknown : each.probability / sum;
   return out;
 }
 

@@ -61,6 +61,10 @@ struct SearchEffort {
   std::size_t extensions = 6;
   /// Number of pairs, and of triples, that are tried at once whatever their parts explain alone.
   std::size_t combinations = 6;
+  /// Once there is an answer: how many of the best hypotheses are extended by what their screening promises, and the
+  /// weight, over that of the best, below which what was not fitted counts as impossible.
+  std::size_t extended = 3;
+  double least_weight = 0.01;
   /// Number of larger hypotheses whose short fit is continued to convergence.
   std::size_t refined_extensions = 6;
   /// Number of hypotheses of one size that are fitted again from other starts.

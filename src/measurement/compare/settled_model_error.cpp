@@ -36,7 +36,7 @@ Attribution with_settled_model_error(std::span<replay::PreparedRun> runs, Attrib
   // What a model leaves hardly depends on the weight of its priors.
   constexpr int most_rounds = 3;
   for (int round = 0; round < most_rounds; ++round) {
-    const FittedHypothesis& after = found.after();
+    const FittedHypothesis& after = found.after;
     const bool taken_back = fit::take_back(runs, after.fit);
     const double model_error = model_error_of(runs, after);
     const bool lets_input_errors_through_otherwise = round == 0 && replay::weighs_input_errors(runs);
@@ -45,10 +45,12 @@ Attribution with_settled_model_error(std::span<replay::PreparedRun> runs, Attrib
       break;
     set_model_error(runs, model_error);
     fit::weigh_input_errors(runs, after.hypothesis, after.fit.values, &after.fit);
-    std::vector<FittedHypothesis*> all;
-    for (FittedHypothesis& step : found.steps) all.push_back(&step);
+    const bool has_effects = found.has_effects();
+    std::vector<FittedHypothesis*> all{&found.before};
+    if (has_effects) all.push_back(&found.after);
     for (FittedHypothesis& rival : found.rivals) all.push_back(&rival);
     tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) { *all[i] = fitted_anew(runs, *all[i]); });
+    if (!has_effects) found.after = found.before;
   }
   return found;
 }

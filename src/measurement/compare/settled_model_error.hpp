@@ -6,11 +6,11 @@
 
 namespace coilwright::measurement::compare {
 
-/// Weighs priors against the model error of the last step of `found` instead of that of the search, and the errors of
-/// recorded inputs as that step lets them through; takes samples back that are no outliers by it (fit::take_back), and
-/// fits its steps and their rivals anew. Changes nothing where both errors are the same, all inputs exact and no sample
-/// is taken back. The errors of the steps are comparable then, and
-/// their numbers stay as near to what is declared as the last step's own error allows.
+/// Weighs priors against the model error of the reported hypothesis of `found` instead of that of the search, and the
+/// errors of recorded inputs as that lets them through; takes samples back that are no outliers by it (fit::take_back),
+/// and fits it, its rivals and the declared model anew. Changes nothing where both errors are the same, all inputs
+/// exact and no sample is taken back. The errors of all are comparable then, and their numbers stay as near to what is
+/// declared as the reported one's own error allows.
 [[nodiscard]] Attribution with_settled_model_error(std::span<replay::PreparedRun> runs, Attribution found);
 
 }  // namespace coilwright::measurement::compare

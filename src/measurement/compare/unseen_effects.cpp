@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 
+#include "measurement/compare/curvature.hpp"
 #include "measurement/compare/linear_screening.hpp"
 #include "measurement/compare/model_error.hpp"
 #include "measurement/compare/profile_likelihood.hpp"
@@ -62,25 +62,13 @@ double widened(const Estimate& estimate, double beyond) {
   return std::isfinite(width) && width > 0.0 ? std::hypot(width, 2.0 * normal_95 * std::sqrt(beyond)) / width : 1.0;
 }
 
-// By a variance that is added to its own, whatever that is from (the curvature, a profile, a scan of local optima).
-// Ends that pass a physical bound are open, as those are that the data do not set.
-void widen(Estimate& estimate, const fit::FitParameter& number, double beyond) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double reach = normal_95 * std::sqrt(beyond);
-  estimate.lower = estimate.value - std::hypot(estimate.value - estimate.lower, reach);
-  estimate.upper = estimate.value + std::hypot(estimate.upper - estimate.value, reach);
-  if (estimate.lower < number.lower) estimate.lower = -infinity;
-  if (estimate.upper > number.upper) estimate.upper = infinity;
-  estimate.determined = std::isfinite(estimate.lower) || std::isfinite(estimate.upper);
-}
-
 }  // namespace
 
 std::vector<HintedEffect> widen_by_unseen_effects(std::vector<Estimate>& estimates,
                                                   std::span<const replay::PreparedRun> runs,
                                                   const Attribution& attribution, double overdispersion) {
   std::vector<HintedEffect> out;
-  const FittedHypothesis& fitted = attribution.after();
+  const FittedHypothesis& fitted = attribution.after;
   if (is_far_from_noise(fitted)) return out;
   const auto screened = screen_effects(runs, fitted, {.kinds = attribution.kinds, .scale = attribution.scale});
   const std::vector<Addition> more = additions(fitted, screened, overdispersion);

@@ -43,12 +43,6 @@ std::size_t windows_of(std::span<const replay::PreparedRun> runs) {
   return count;
 }
 
-double values_of(std::span<const replay::PreparedRun> runs) {
-  double count = 0.0;
-  for (const replay::PreparedRun& run : runs) count += static_cast<double>(run.values());
-  return count;
-}
-
 }  // namespace
 
 std::unique_ptr<WindowSubsample> WindowSubsample::of(std::span<replay::PreparedRun> all) {
@@ -77,22 +71,6 @@ void WindowSubsample::hand_on_outliers() const {
     all_[r].set_aside = some_[r].set_aside;
     all_[r].noise = some_[r].noise;
   }
-}
-
-std::vector<ComparedHypothesis> WindowSubsample::compared(const FittedHypothesis& before,
-                                                          std::span<const FittedHypothesis> others,
-                                                          double overdispersion) const {
-  const double share = values_of(some_) / values_of(all_);
-  std::vector<ComparedHypothesis> out;
-  for (const FittedHypothesis& each : others) {
-    Evidence evidence = evidence_between(some_, before, each, overdispersion);
-    for (double* sum : {&evidence.chi_square_before, &evidence.chi_square_after, &evidence.criterion_gain})
-      *sum /= share;
-    out.push_back({.effects = each.kinds(),
-                   .evidence = std::move(evidence),
-                   .remark = fmt::format("was fitted to {} only, where others are better", text())});
-  }
-  return out;
 }
 
 std::vector<FittedHypothesis> WindowSubsample::on_all(std::span<const FittedHypothesis> best) const {

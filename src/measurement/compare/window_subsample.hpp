@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "coilwright/measurement/compare/evidence.hpp"
 #include "measurement/compare/fitted_hypothesis.hpp"
 
 namespace coilwright::measurement::compare {
@@ -29,11 +28,6 @@ class WindowSubsample {
   /// Tells the runs with all windows which samples were set aside in these, and their noise.
   void hand_on_outliers() const;
 
-  /// What is said of hypotheses that were fitted to these windows only: their evidence of all windows, as if all were
-  /// like these. `before`: the recalibrated model fitted to these.
-  [[nodiscard]] std::vector<ComparedHypothesis> compared(const FittedHypothesis& before,
-                                                         std::span<const FittedHypothesis> others,
-                                                         double overdispersion) const;
   /// Hypotheses that were fitted to these windows, fitted to all of them from there. Those that cannot be simulated on
   /// all windows are left out.
   [[nodiscard]] std::vector<FittedHypothesis> on_all(std::span<const FittedHypothesis> best) const;

@@ -152,14 +152,14 @@ FoundCorrection find_correction(std::span<const replay::PreparedRun> runs, const
                                 const std::optional<localise::ResidualTorque>& residual,
                                 const std::function<void(const std::string&)>& progress) {
   FoundCorrection out;
-  const FittedHypothesis& after = attribution.after();
+  const FittedHypothesis& after = attribution.after;
   const actuator::ModelSpec spec = after.hypothesis.spec_at(after.fit.values);
   out.outcome.reason = impossible(runs, spec, residual);
   if (!out.outcome.reason.empty()) return out;
 
   // Effects that explain a part may be in the way of a correction that explains the whole.
   std::vector<Base> bases{{.model = &after}};
-  if (attribution.steps.size() > 1) bases.push_back({.model = &attribution.before()});
+  if (attribution.has_effects()) bases.push_back({.model = &attribution.before});
   for (Base& base : bases) base.held_out = held_out_squares(runs, *base.model);
   const VisitedStates visited = visited_states(runs, after);
   std::vector<Fitted> found;

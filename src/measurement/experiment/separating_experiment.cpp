@@ -210,7 +210,7 @@ Experiment with_proposal(const Experiment& recorded, const std::vector<PlannedRu
 std::optional<NextExperiment> separating_experiment(std::span<const replay::PreparedRun> runs,
                                                     const compare::Attribution& attribution) {
   if (attribution.rivals.empty()) return std::nullopt;
-  const compare::FittedHypothesis& after = attribution.after();
+  const compare::FittedHypothesis& after = attribution.after;
   Rivals rivals{&after};
   for (const compare::FittedHypothesis& rival : attribution.rivals) rivals.push_back(&rival);
   Experiment recorded = recorded_experiment(runs, after.fit);

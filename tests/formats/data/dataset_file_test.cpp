@@ -86,6 +86,21 @@ TEST_F(DatasetFiles, MayBeGivenByTheirFolder) {
   EXPECT_EQ(read_dataset(folder_.path()).data.fit.size(), 1u);
 }
 
+TEST_F(DatasetFiles, SayWhatIsBelievedOfEffects) {
+  const auto with = [&](const std::string& beliefs) {
+    return R"({"format": "measured-data/1", "effect_probabilities": )" + beliefs + R"(, "runs": [)" + run_a + "]}";
+  };
+  const DatasetFile file = read(with(R"({"dry_friction": 0.5})"));
+  ASSERT_EQ(file.beliefs.size(), 1u);
+  EXPECT_EQ(file.beliefs.front().effect, "dry_friction");
+  EXPECT_EQ(file.beliefs.front().probability, 0.5);
+  EXPECT_EQ(refusal(with(R"({"dry_friction": 1})")),
+            "dataset.json: /effect_probabilities/dry_friction: must be > 0 and < 1; got 1");
+  EXPECT_EQ(refusal(with(R"({"dry_fricton": 0.5})")),
+            "dataset.json: /effect_probabilities/dry_fricton: must be called by the id of an effect (coilwright list "
+            "effects); did you mean \"dry_friction\"?");
+}
+
 TEST_F(DatasetFiles, HaveDefaults) {
   const DatasetFile file = read_runs(run_a + "," + run_b);
   EXPECT_THAT(file.calibrate, ElementsAre("joint_stiffness", "joint_damping"));

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "coilwright/formats/data/diagnosis_json.hpp"
 #include "degree.hpp"
@@ -34,8 +36,20 @@ inline measurement::ErrorComparison comparison(measurement::data::ChannelKind ki
 inline measurement::AddedEffect stopped() {
   return {.kind = &end_stop,
           .parameters = {{.key = "angle_deg", .value = 40.0 * degree, .lower = 39.0 * degree, .upper = 41.0 * degree},
-                         {.key = "side", .value = -1.0, .lower = -1.0, .upper = -1.0, .chosen = true}},
-          .evidence = {}};
+                         {.key = "side", .value = -1.0, .lower = -1.0, .upper = -1.0, .chosen = true}}};
+}
+
+// A hypothesis that was compared. Its evidence is that of its chi-square alone, over 52,000 without effects.
+inline measurement::compare::WeighedHypothesis weighed(std::vector<const actuator::EffectKind*> effects,
+                                                       double chi_square, double probability,
+                                                       double probability_of_noise = 0.0) {
+  return {.effects = std::move(effects),
+          .chi_square = chi_square,
+          .log_evidence = 0.5 * (52000.0 - chi_square),
+          .probability = probability,
+          .lacks = 0.0625,
+          .lacks_over = 8.0,
+          .probability_of_noise = probability_of_noise};
 }
 
 // The example of measured-data/1, as values in memory.
@@ -43,13 +57,9 @@ inline measurement::Diagnosis example() {
   measurement::Diagnosis diagnosis;
   diagnosis.verdict = measurement::Verdict::explained;
   diagnosis.effects = {{.kind = &dry_friction,
-                        .parameters = {{.key = "torque_Nmm", .value = 0.61e-3, .lower = 0.58e-3, .upper = 0.64e-3}},
-                        .evidence = {.chi_square_before = 52000.0,
-                                     .chi_square_after = 12000.0,
-                                     .criterion_gain = 800.0,
-                                     .cross_validated_gain = 0.97,
-                                     .untold_runs = {"hold.csv"},
-                                     .correlation_time = 4.0}}};
+                        .parameters = {{.key = "torque_Nmm", .value = 0.61e-3, .lower = 0.58e-3, .upper = 0.64e-3}}}};
+  diagnosis.odds.hypotheses = {weighed({&dry_friction}, 12000.0, 0.9375, 0.875), weighed({&end_stop}, 13000.0, 0.0625),
+                               weighed({}, 52000.0, 0.0)};
   diagnosis.indistinguishable = {{&coil_heating, &magnet_heating}};
   diagnosis.validate_errors = {{.kind = measurement::data::ChannelKind::bending_angle,
                                 .samples = 900,

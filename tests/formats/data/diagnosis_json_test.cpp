@@ -114,10 +114,14 @@ TEST(DiagnosisJson, HasAWordForEachVerdict) {
   }
 }
 
-TEST(DiagnosisJson, GivesEvidenceAsNumbers) {
-  const auto evidence = json_of(example())["effects"][0]["evidence"];
-  EXPECT_EQ(evidence, ordered_json::parse(R"({"chi_square_before": 52000.0, "chi_square_after": 12000.0,
-      "criterion_gain": 800.0, "cross_validated_gain": 0.97, "not_cross_validated": ["hold.csv"], "correlation_time_samples": 4.0})"));
+// Whatever its further numbers, and whatever stands beside it.
+TEST(DiagnosisJson, GivesTheProbabilityOfAnEffectOverAllHypothesesWithIt) {
+  const NamedEffect with_further_numbers("dry_friction", "friction that falls with the speed");
+  Diagnosis diagnosis = example();
+  EXPECT_EQ(json_of(diagnosis)["effects"][0]["evidence"], ordered_json::parse(R"({"probability": 0.9375})"));
+  diagnosis.odds.hypotheses = {weighed({&dry_friction}, 12000.0, 0.5), weighed({&with_further_numbers}, 11900.0, 0.25),
+                               weighed({&end_stop, &dry_friction}, 11900.0, 0.125), weighed({}, 52000.0, 0.125)};
+  EXPECT_EQ(json_of(diagnosis)["effects"][0]["evidence"], ordered_json::parse(R"({"probability": 0.875})"));
 }
 
 TEST(DiagnosisJson, HasNullForASideWithoutABound) {
@@ -130,8 +134,6 @@ TEST(DiagnosisJson, HasNullForASideWithoutABound) {
   estimate.determined = false;
   parameter = json_of(diagnosis)["effects"][0]["parameters"]["torque_Nmm"];
   EXPECT_EQ(parameter, ordered_json::parse(R"({"value": 0.61, "ci95": [null, null], "determined": false})"));
-  diagnosis.effects[0].evidence.cross_validated_gain = nan;
-  EXPECT_TRUE(json_of(diagnosis)["effects"][0]["evidence"]["cross_validated_gain"].is_null());
 }
 
 TEST(DiagnosisJson, SaysOfAChoiceThatItIsOne) {
@@ -181,12 +183,10 @@ TEST(DiagnosisJson, UsesTheQuantitysUnitWhereThereIsNoAngle) {
   EXPECT_EQ(block["validate"], ordered_json::object());
 }
 
-TEST(DiagnosisJson, DescribesTheNextExperimentTheRivalsAndTheResidual) {
+TEST(DiagnosisJson, DescribesTheNextExperimentTheResidualAndTheNoise) {
   Diagnosis diagnosis = example();
   diagnosis.next_experiment = {
       .kind = "hot_hold", .input = "1.05 A for 60 s", .why = "they part when hot", .separation = 8.5, .experiment = {}};
-  diagnosis.compared_hypotheses = {{.effects = {&coil_heating, &dry_friction}, .evidence = {}, .remark = ""},
-                                   {.effects = {}, .evidence = {}, .remark = "interval includes absent"}};
   diagnosis.residual = localise::ResidualTorque{
       .rms = 0.2e-3,
       .noise_floor = 0.05e-3,
@@ -206,9 +206,6 @@ TEST(DiagnosisJson, DescribesTheNextExperimentTheRivalsAndTheResidual) {
   const auto json = json_of(diagnosis);
   EXPECT_EQ(json["next_experiment"], ordered_json::parse(R"({"kind": "hot_hold", "input": "1.05 A for 60 s",
       "why": "they part when hot", "separation": 8.5, "file": null})"));
-  EXPECT_EQ(json["candidates"][0]["effects"], ordered_json({"coil_heating", "dry_friction"}));
-  EXPECT_TRUE(json["candidates"][0]["remark"].is_null());
-  EXPECT_EQ(json["candidates"][1]["remark"], "interval includes absent");
   EXPECT_EQ(json["residual"], ordered_json::parse(R"({"rms_Nmm": 0.2, "smallest_visible_Nmm": 0.05, "dependences": [
       {"variable": "rate", "explained": 0.5, "at_deg_s": [-90.0, 90.0], "residual_Nmm": [0.1, -0.1]},
       {"variable": "current history", "explained": 0.25, "at": [1.0], "residual_Nmm": [null]}],
@@ -225,18 +222,47 @@ TEST(DiagnosisJson, DescribesTheNextExperimentTheRivalsAndTheResidual) {
   EXPECT_EQ(json["dataset"], "finger-2024-03-11");
 }
 
-TEST(DiagnosisJson, HasNoEvidenceOfAHypothesisThatWasRuledOutWithoutAFit) {
+TEST(DiagnosisJson, HasTheHypothesesThatWereComparedAndThoseThatWereNot) {
   Diagnosis diagnosis = example();
-  const compare::Evidence fitted{.chi_square_before = 52000.0, .chi_square_after = 12000.0, .correlation_time = 1.0};
-  diagnosis.compared_hypotheses = {
-      {.effects = {&dry_friction}, .evidence = fitted, .remark = ""},
-      {.effects = {&magnet_heating}, .evidence = fitted, .remark = "interval includes absent"},
-      {.effects = {&coil_heating}, .evidence = {}, .remark = "no coils"}};
-  const auto candidates = json_of(diagnosis)["candidates"];
-  EXPECT_EQ(candidates[0]["evidence"]["chi_square_after"], 12000.0);
-  EXPECT_EQ(candidates[1]["evidence"]["chi_square_after"], 12000.0);
-  EXPECT_EQ(candidates[2],
-            ordered_json::parse(R"({"effects": ["coil_heating"], "evidence": null, "remark": "no coils"})"));
+  diagnosis.odds.hypotheses = {weighed({&coil_heating, &dry_friction}, 12000.0, 0.75, 0.5), weighed({}, 52000.0, 0.25)};
+  diagnosis.odds.ruled_out = {{.effects = {&coil_heating}, .remark = "no coils"}};
+  const auto json = json_of(diagnosis);
+  EXPECT_EQ(json["candidates"], ordered_json::parse(R"([
+      {"effects": ["coil_heating", "dry_friction"], "probability": 0.75, "log_evidence": 20000.0,
+       "chi_square": 12000.0, "lacks_over_noise": 0.0625, "lacks_over_samples": 8.0, "probability_of_noise": 0.5},
+      {"effects": [], "probability": 0.25, "log_evidence": 0.0, "chi_square": 52000.0, "lacks_over_noise": 0.0625,
+       "lacks_over_samples": 8.0, "probability_of_noise": 0.0}])"));
+  EXPECT_EQ(json["ruled_out"], ordered_json::parse(R"([{"effects": ["coil_heating"], "remark": "no coils"}])"));
+}
+
+TEST(DiagnosisJson, HasTheOddsOfEachEffectOfNoneAndOfNoise) {
+  Diagnosis diagnosis = example();
+  diagnosis.odds.hypotheses = {weighed({&dry_friction, &end_stop}, 12000.0, 0.5, 0.875),
+                               weighed({&dry_friction}, 12100.0, 0.25, 0.75), weighed({}, 52000.0, 0.25, 0.125)};
+  EXPECT_EQ(json_of(diagnosis)["odds"], ordered_json::parse(R"({"no_effect": 0.25,
+      "effects": {"dry_friction": 0.75, "end_stop": 0.5}, "noise": 0.75})"));
+  // In whatever order the effects are reported.
+  diagnosis.effects.insert(diagnosis.effects.begin(), stopped());
+  EXPECT_EQ(json_of(diagnosis)["odds"]["noise"], 0.875);
+  diagnosis.effects.clear();
+  EXPECT_EQ(json_of(diagnosis)["odds"]["noise"], 0.125);
+  diagnosis.odds = {};
+  EXPECT_TRUE(json_of(diagnosis)["odds"].is_null());
+}
+
+// Before anything was compared with it the recalibrated model has no probability, and of what is missing a diagnosis
+// says nothing until its end.
+TEST(DiagnosisJson, HasNullForWhatAnInterruptedDiagnosisDoesNotKnow) {
+  Diagnosis diagnosis = example();
+  diagnosis.effects.clear();
+  diagnosis.verdict = Verdict::incomplete;
+  compare::WeighedHypothesis first = weighed({}, 52000.0, nan, nan);
+  first.lacks = first.lacks_over = nan;
+  diagnosis.odds.hypotheses = {first};
+  const auto json = json_of(diagnosis);
+  EXPECT_EQ(json["candidates"], ordered_json::parse(R"([{"effects": [], "probability": null, "log_evidence": 0.0,
+      "chi_square": 52000.0, "lacks_over_noise": null, "lacks_over_samples": null, "probability_of_noise": null}])"));
+  EXPECT_EQ(json["odds"], ordered_json::parse(R"({"no_effect": null, "effects": {}, "noise": null})"));
 }
 
 TEST(DiagnosisJson, HasTheDeclaredNumbersThatTheFitMoved) {
@@ -314,27 +340,6 @@ TEST(DiagnosisJson, ListsOutliers) {
       {"run": "a.csv", "role": "fit", "channel": "bending_angle_deg", "samples": 2, "times_s": [0.5, 1.25]}])"));
   diagnosis.outliers.front().validate = true;
   EXPECT_EQ(json_of(diagnosis)["outliers"][0]["role"], "validate");
-}
-
-TEST(DiagnosisJson, StatesOfTheReportedHypothesisWhatTheReportDoes) {
-  Diagnosis diagnosis = example();  // chi-square 12000 with dry_friction
-  const compare::Evidence of_the_search{
-      .chi_square_before = 52000.0, .chi_square_after = 12345.0, .criterion_gain = 700.0, .correlation_time = 5.0};
-  diagnosis.compared_hypotheses = {{.effects = {&coil_heating}, .evidence = of_the_search, .remark = ""},
-                                   {.effects = {&dry_friction}, .evidence = of_the_search, .remark = ""}};
-  auto json = json_of(diagnosis);
-  EXPECT_EQ(json["candidates"][0]["evidence"]["chi_square_after"], 12345.0);
-  EXPECT_EQ(json["candidates"][1]["evidence"], json["effects"][0]["evidence"]);
-  // Of two effects, in whatever order, the evidence is that of both steps.
-  diagnosis.effects.push_back(stopped());
-  diagnosis.effects[1].evidence = {
-      .chi_square_before = 12000.0, .chi_square_after = 9000.0, .criterion_gain = 150.0, .correlation_time = 2.0};
-  diagnosis.compared_hypotheses[0].effects = {&end_stop, &dry_friction};
-  json = json_of(diagnosis);
-  EXPECT_EQ(json["candidates"][0]["evidence"],
-            ordered_json::parse(R"({"chi_square_before": 52000.0, "chi_square_after": 9000.0, "criterion_gain": 950.0,
-                                    "cross_validated_gain": null, "not_cross_validated": [], "correlation_time_samples": 2.0})"));
-  EXPECT_EQ(json["candidates"][1]["evidence"]["chi_square_after"], 12345.0);
 }
 
 TEST(DiagnosisJson, SaysNothingOfTime) {

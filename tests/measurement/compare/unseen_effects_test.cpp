@@ -25,14 +25,17 @@ struct Slid {
       : run(dragged_run(400, drag, sigma, seed)),
         declared(slide(true_mass, true_damping)),
         runs{replay::prepare_run(run, declared, model_of(declared))},
-        found{.steps = {fitted({})}, .kinds = {&drag_kind}, .scale = rig_scale(runs, model_of(declared))} {}
+        found{.before = fitted({}),
+              .after = fitted({}),
+              .kinds = {&drag_kind},
+              .scale = rig_scale(runs, model_of(declared))} {}
 
   [[nodiscard]] FittedHypothesis fitted(std::vector<actuator::Effect> effects) const {
     return fitted_to(runs, declared, std::move(effects));
   }
   [[nodiscard]] FittedHypothesis with_drag() const { return fitted({{.kind = &drag_kind, .values = {0.1}}}); }
   [[nodiscard]] std::vector<Estimate> estimates() const {
-    const FittedHypothesis& without = found.after();
+    const FittedHypothesis& without = found.after;
     const Eigen::VectorXd deviations = standard_deviations(without, 1.0);
     std::vector<Estimate> out;
     for (Eigen::Index i = 0; i < deviations.size(); ++i)
@@ -56,7 +59,7 @@ double half_width(const Estimate& estimate) {
 // first order in a drag that moves the damping by tens of its deviations: within a fifth.
 TEST(UnseenEffects, WidenAnIntervalToThatOfTheModelsWithAndWithoutThem) {
   const Slid slid(0.07, 3);
-  const FittedHypothesis& without = slid.found.after();
+  const FittedHypothesis& without = slid.found.after;
   const FittedHypothesis with = slid.with_drag();
   const double gain = quasi_bic(without, 1.0) - quasi_bic(with, 1.0);
   ASSERT_GT(gain, -2.0);

@@ -51,8 +51,7 @@ struct Rig {
   }
 
   [[nodiscard]] std::optional<NextExperiment> between(const Effect& chosen, const std::vector<Effect>& rivals) const {
-    compare::Attribution found;
-    found.steps = {fitted({}), fitted({chosen})};
+    compare::Attribution found{.before = fitted({}), .after = fitted({chosen})};
     for (const Effect& rival : rivals) found.rivals.push_back(fitted({rival}));
     return separating_experiment(runs, found);
   }

@@ -41,11 +41,16 @@ struct MovedNumberInUnit {
 [[nodiscard]] bool is_reported(const measurement::Diagnosis& diagnosis,
                                std::span<const actuator::EffectKind* const> kinds);
 
-/// The compared hypotheses with the evidence that the report states of its own one: its effects were fitted again, from
-/// where their intervals lead, after the search had ranked it. The gain and the chi-squares are over the declared
-/// model; of several effects no cross-validated gain is known.
-[[nodiscard]] std::vector<measurement::compare::ComparedHypothesis> compared_as_reported(
+/// The hypothesis whose effects the diagnosis reports: that of no effect where it reports none. Null where no
+/// hypothesis was compared.
+[[nodiscard]] const measurement::compare::WeighedHypothesis* reported_hypothesis(
     const measurement::Diagnosis& diagnosis);
+
+/// Chi-square of the declared model, fitted anew without effects; NaN where no hypothesis was compared.
+[[nodiscard]] double chi_square_without_effects(const measurement::Diagnosis& diagnosis);
+
+/// The probability that an effect is there, whatever its further numbers.
+[[nodiscard]] double probability_of(const measurement::Diagnosis& diagnosis, const actuator::EffectKind& kind);
 
 /// A quantity as the report calls it: "torque"; "angle" for both kinds of angles, whose errors are taken together.
 [[nodiscard]] std::string_view name_of(measurement::data::ChannelKind quantity);

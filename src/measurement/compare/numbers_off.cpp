@@ -1,4 +1,4 @@
-#include "measurement/compare/relaxed_tolerances.hpp"
+#include "measurement/compare/numbers_off.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,17 +18,11 @@
 namespace coilwright::measurement::compare {
 namespace {
 
-constexpr double wider = 3.0;
 // A typical change of a number that is free again, in tolerances.
 constexpr double typical_change = 10.0;
-// How far a number has to be moved, in tolerances, to be tried as the one that is off, and how many are tried: against
-// an effect those that chance would rarely move so far; where one is to be named all that may be it.
-struct Tried {
-  double moved{};
-  std::size_t most{};
-};
-constexpr Tried against_an_effect{.moved = 2.0, .most = 4};
-constexpr Tried to_be_named{.moved = 1.0, .most = 8};
+// How far a number has to be moved, in tolerances, to be tried as the one that is off, and how many are tried.
+constexpr double moved_far = 1.0;
+constexpr std::size_t most_tried = 8;
 
 // A hypothesis under another declared model, fitted from where it was; nothing where there is no fit.
 std::optional<FittedHypothesis> fitted_under(const replay::DeclaredModel& declared,
@@ -41,10 +35,6 @@ std::optional<FittedHypothesis> fitted_under(const replay::DeclaredModel& declar
 
 double quasi_bic_of(const std::optional<FittedHypothesis>& fitted, double overdispersion) {
   return fitted ? quasi_bic(*fitted, overdispersion) : std::numeric_limits<double>::infinity();
-}
-
-bool is_named_by(const replay::CalibrationParameter& number, const std::vector<const actuator::EffectKind*>& kinds) {
-  return std::ranges::any_of(kinds, [&](const actuator::EffectKind* kind) { return number.effect == kind->id(); });
 }
 
 // A number by itself, or the coefficients of one function.
@@ -62,24 +52,22 @@ CalibrationGroup group_of(const std::vector<replay::CalibrationParameter>& calib
   return out;
 }
 
-// What a fit has moved far, the furthest first; without the numbers whose name one of these effects is.
-std::vector<CalibrationGroup> groups_far_from_prior(const FittedHypothesis& fitted, const Tried& tried,
-                                                    const std::vector<const actuator::EffectKind*>& kinds) {
+// What a fit has moved far, the furthest first.
+std::vector<CalibrationGroup> groups_far_from_prior(const FittedHypothesis& fitted) {
   const auto& calibration = fitted.hypothesis.declared().calibration;
   const auto moved = [&](std::size_t i) {
     return std::abs(fitted.hypothesis.parameters()[i].distance(fitted.fit.values[static_cast<Eigen::Index>(i)]));
   };
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < calibration.size(); ++i)
-    if (fitted.hypothesis.parameters()[i].has_prior() && moved(i) > tried.moved && !is_named_by(calibration[i], kinds))
-      numbers.push_back(i);
+    if (fitted.hypothesis.parameters()[i].has_prior() && moved(i) > moved_far) numbers.push_back(i);
   std::ranges::stable_sort(numbers, std::ranges::greater{}, moved);
   std::vector<CalibrationGroup> out;
   for (const std::size_t i : numbers) {
     CalibrationGroup group = group_of(calibration, i);
     if (std::ranges::find(out, group.name, &CalibrationGroup::name) == out.end()) out.push_back(std::move(group));
   }
-  out.resize(std::min(out.size(), tried.most));
+  out.resize(std::min(out.size(), most_tried));
   return out;
 }
 
@@ -99,50 +87,11 @@ replay::DeclaredModel with_free(replay::DeclaredModel declared, const Calibratio
 
 }  // namespace
 
-bool adds_the_name_of_a_number(const FittedHypothesis& without, const FittedHypothesis& with) {
-  const std::vector<const actuator::EffectKind*> known = without.kinds();
-  const auto& numbers = with.hypothesis.declared().calibration;
-  return std::ranges::any_of(with.kinds(), [&](const actuator::EffectKind* kind) {
-    if (std::ranges::find(known, kind) != known.end()) return false;
-    return std::ranges::any_of(numbers, [&](const replay::CalibrationParameter& number) {
-      return number.tolerance && number.effect == kind->id();
-    });
-  });
-}
-
-double gain_with_wide_tolerances(std::span<const replay::PreparedRun> runs, const FittedHypothesis& without,
-                                 const FittedHypothesis& with, double overdispersion) {
-  replay::DeclaredModel relaxed = without.hypothesis.declared();
-  const auto has_tolerance = [](const replay::CalibrationParameter& number) { return number.tolerance.has_value(); };
-  if (std::ranges::none_of(relaxed.calibration, has_tolerance))
-    return quasi_bic(without, overdispersion) - quasi_bic(with, overdispersion);
-  for (replay::CalibrationParameter& number : relaxed.calibration) {
-    if (!has_tolerance(number)) continue;
-    number.tolerance->deviation *= wider;
-    number.scale *= wider;
-  }
-  const auto wide_without = fitted_under(relaxed, runs, without);
-  const auto wide_with = fitted_under(relaxed, runs, with);
-  return quasi_bic_of(wide_without, overdispersion) - quasi_bic_of(wide_with, overdispersion);
-}
-
-GainOverFreeNumber gain_over_a_free_number(std::span<const replay::PreparedRun> runs, const FittedHypothesis& without,
-                                           const FittedHypothesis& with, double overdispersion) {
-  GainOverFreeNumber out;
-  const double charge = penalty_per_number(with, overdispersion);
-  for (const CalibrationGroup& group : groups_far_from_prior(without, against_an_effect, with.kinds())) {
-    const auto free = fitted_under(with_free(without.hypothesis.declared(), group), runs, without);
-    const double gain = quasi_bic_of(free, overdispersion) + charge - quasi_bic(with, overdispersion);
-    if (gain < out.gain) out = {.gain = gain, .number = group.name};
-  }
-  return out;
-}
-
 std::vector<NumberOff> numbers_that_may_be_off(std::span<const replay::PreparedRun> runs,
                                                const FittedHypothesis& fitted, double overdispersion) {
   std::vector<NumberOff> out;
   const double held = quasi_bic(fitted, overdispersion) - penalty_per_number(fitted, overdispersion);
-  for (const CalibrationGroup& group : groups_far_from_prior(fitted, to_be_named, {})) {
+  for (const CalibrationGroup& group : groups_far_from_prior(fitted)) {
     const auto free = fitted_under(with_free(fitted.hypothesis.declared(), group), runs, fitted);
     const double gain = held - quasi_bic_of(free, overdispersion);
     if (gain < decision_thresholds.decisive_gain) continue;

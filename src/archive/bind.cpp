@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "archive/schema.hpp"
-
 namespace coilwright::archive {
 namespace {
 
@@ -20,7 +18,7 @@ Value value_of(const SQLite::Column& cell) {
 
 }  // namespace
 
-void bind_row(SQLite::Statement& insertion, const Row& row, std::int64_t id, std::int64_t run) {
+void bind_row(SQLite::Statement& insertion, Designs table, const Row& row, std::int64_t id, std::int64_t run) {
   const sizing::Evaluation& evaluation = row.evaluation;
   const bool failed = !evaluation.failure.empty();
   Binder binder(insertion);
@@ -30,6 +28,8 @@ void bind_row(SQLite::Statement& insertion, const Row& row, std::int64_t id, std
   binder.number(evaluation.infeasibility).integer(evaluation.quantities.empty() ? 0 : 1);
   binder.number(row.seconds).number(row.ended);
   row.origin.empty() ? binder.none() : binder.lasting(row.origin);
+  const std::size_t choices = table == Designs::of_the_study ? 0 : 1;
+  if (choices > 0) binder.lasting(row.choice);
   for (const Value& value : row.variables) {
     if (const auto* number = std::get_if<double>(&value))
       binder.number(*number);
@@ -38,7 +38,7 @@ void bind_row(SQLite::Statement& insertion, const Row& row, std::int64_t id, std
   }
   // The archive's columns are as many as the study has, also where a design has no numbers.
   const int places = insertion.getBindParameterCount();
-  const auto fixed = static_cast<int>(fixed_columns.size() + row.variables.size());
+  const auto fixed = static_cast<int>(fixed_columns.size() + choices + row.variables.size());
   int place = fixed;
   if (!failed) {
     for (const double value : evaluation.objectives) insertion.bind(++place, value);
@@ -51,11 +51,12 @@ void bind_row(SQLite::Statement& insertion, const Row& row, std::int64_t id, std
   }
 }
 
-ColumnCounts counts_of(const std::vector<Column>& columns) {
+ColumnCounts counts_of(Designs table, const std::vector<Column>& columns) {
   const auto count = [&](Role role) {
     return static_cast<std::size_t>(std::ranges::count(columns, role, &Column::role));
   };
-  return {.variables = count(Role::variable),
+  return {.choices = table == Designs::of_the_study ? 0U : 1U,
+          .variables = count(Role::variable),
           .objectives = count(Role::objective),
           .constraints = count(Role::constraint),
           .quantities = count(Role::quantity)};
@@ -75,6 +76,7 @@ Row row_of(const SQLite::Statement& selected, const ColumnCounts& counts) {
   if (const SQLite::Column seconds = cell(); !seconds.isNull()) row.seconds = seconds.getDouble();
   row.ended = cell().getDouble();
   row.origin = cell().getString();
+  if (counts.choices > 0) row.choice = cell().getString();
   for (std::size_t k = 0; k < counts.variables; ++k) row.variables.push_back(value_of(cell()));
   const bool failed = !row.evaluation.failure.empty();
   const auto numbers = [&](std::size_t count, std::vector<double>& out) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "archive/schema.hpp"
 #include "coilwright/archive/contents.hpp"
 #include "coilwright/archive/row.hpp"
 
@@ -55,16 +56,17 @@ class Binder {
   int index_ = 0;
 };
 
-/// Binds a design, which must outlive the execution, to `insertion_of` the columns of its archive.
-void bind_row(SQLite::Statement& insertion, const Row& row, std::int64_t id, std::int64_t run);
+/// Binds a design, which must outlive the execution, to `insertion_of` the table and the columns of its archive.
+void bind_row(SQLite::Statement& insertion, Designs table, const Row& row, std::int64_t id, std::int64_t run);
 
 /// How many columns of each role an archive has.
 struct ColumnCounts {
+  std::size_t choices{};  ///< 1 where designs are under another modelling choice
   std::size_t variables{}, objectives{}, constraints{}, quantities{};
 };
 
 /// Of these columns.
-[[nodiscard]] ColumnCounts counts_of(const std::vector<Column>& columns);
+[[nodiscard]] ColumnCounts counts_of(Designs table, const std::vector<Column>& columns);
 
 /// A design from a row of `selection_of` so many columns.
 [[nodiscard]] Row row_of(const SQLite::Statement& selected, const ColumnCounts& counts);

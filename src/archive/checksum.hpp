@@ -2,9 +2,11 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "coilwright/archive/contents.hpp"
@@ -25,19 +27,32 @@ struct SealedTable {
   std::vector<std::string> columns;  ///< that the checksum is of, as SQL, the row's number first
 };
 
-/// All tables of an archive with these columns of a study; `designs` is the last.
-[[nodiscard]] std::vector<SealedTable> sealed_tables(const std::vector<Column>& columns);
+/// All tables of an archive of that version with these columns of a study; those of designs are the last.
+[[nodiscard]] std::vector<SealedTable> sealed_tables(const std::vector<Column>& columns, int version);
 
 /// "UPDATE runs SET checksum = ..." of a table.
 [[nodiscard]] std::string sealing_of(const SealedTable& table);
 
+/// Tells the table `recorded` how many rows each of these tables has.
+void count_rows(SQLite::Database& database, std::span<const SealedTable> tables);
+
+/// Tells it that a table has so many rows more.
+void count_more(SQLite::Database& database, std::string_view table, std::int64_t rows);
+
+/// How many more designs were written than the tables of designs have, in an archive that counts.
+[[nodiscard]] std::int64_t missing_designs(SQLite::Database& database);
+
+/// Whether the rows of a table of that name can be made again: designs and counts.
+[[nodiscard]] bool can_be_mended(std::string_view table);
+
 /// What keeps the rows of the tables from being those that were written.
 struct Damage {
-  std::string text;        ///< the tree as SQLite finds it, or the first row whose checksum does not hold
-  bool only_in_designs{};  ///< whether it is in what can be evaluated again
+  std::string text;      ///< the tree as SQLite finds it, the first row whose checksum does not hold, or what is gone
+  bool can_be_mended{};  ///< whether it is in what can be evaluated or counted again
 };
 
 /// The first damage of these tables, in their order; nothing where all is whole. Throws SQLite::Exception.
-[[nodiscard]] std::optional<Damage> damage_in(SQLite::Database& database, std::span<const SealedTable> tables);
+[[nodiscard]] std::optional<Damage> damage_in(SQLite::Database& database, std::span<const SealedTable> tables,
+                                              int version);
 
 }  // namespace coilwright::archive

@@ -30,7 +30,7 @@ class ColumnNames {
  private:
   std::set<std::string> taken_ = [] {
     std::set<std::string> taken(fixed_columns.begin(), fixed_columns.end());
-    taken.insert("checksum");
+    taken.insert({"checksum", "choice"});
     return taken;
   }();
 };

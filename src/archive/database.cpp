@@ -38,12 +38,14 @@ text::InputError error_about(const fs::path& path, const std::string& rule) {
   return text::InputError({.file = path.string(), .place = {}, .rule = rule, .value = {}});
 }
 
+constexpr std::string_view cure = "the command that made it makes it anew with --force";
+
 text::InputError damaged(const fs::path& path, const Damage& damage) {
   return error_about(
       path,
-      fmt::format(
-          "is damaged ({}): {}the command that made it makes it anew with --force", damage.text,
-          damage.only_in_designs ? "coilwright archive check DIR --repair evaluates such designs anew, or " : ""));
+      fmt::format("is damaged ({}): {}{}", damage.text,
+                  damage.can_be_mended ? "coilwright archive check DIR --repair evaluates such designs anew, or " : "",
+                  cure));
 }
 
 // Before anything is asked of a file that may be anything.
@@ -64,9 +66,10 @@ void require_archive(const fs::path& path, SQLite::Database& database) {
       throw error_about(path,
                         "is of a run that was killed or is under way, and needs some room on its disk to be read: "
                         "the disk is full");
-    throw error_about(path, std::string("is no archive of a study: ") + error.what());
+    throw error_about(path, fmt::format("is no archive of a study, or a torn one: {}; {}", error.what(), cure));
   }
-  if (application != application_id) throw error_about(path, "is no archive of a study: another program wrote it");
+  if (application != application_id)
+    throw error_about(path, fmt::format("is no archive of a study: another program wrote it, or it is torn; {}", cure));
   if (version > schema_version)
     throw error_about(path, fmt::format("was written by a later coilwright: it is an archive of version {}, and this "
                                         "program reads up to version {}",
@@ -167,7 +170,7 @@ int version_of(const SQLite::Database& database) {
 void require_whole(const fs::path& path, SQLite::Database& database, std::span<const SealedTable> tables) {
   std::optional<Damage> damage;
   try {
-    damage = damage_in(database, tables);
+    damage = damage_in(database, tables, version_of(database));
   } catch (const SQLite::Exception& error) {
     damage = Damage{.text = error.what()};
   }
@@ -177,7 +180,8 @@ void require_whole(const fs::path& path, SQLite::Database& database, std::span<c
 void require_whole(const fs::path& path, SQLite::Database& database) {
   std::vector<SealedTable> tables;
   try {
-    if (version_of(database) >= first_version_with_checksums) tables = sealed_tables(read_columns(database));
+    const int version = version_of(database);
+    if (version >= first_version_with_checksums) tables = sealed_tables(read_columns(database), version);
   } catch (const SQLite::Exception& error) {
     throw damaged(path, {.text = error.what()});
   }
@@ -200,6 +204,14 @@ SQLite::Database open_to_write(const fs::path& path) {
     database.exec("PRAGMA synchronous = FULL");
   });
   return database;
+}
+
+void bring_up_to_date(SQLite::Database& database, const std::vector<Column>& columns) {
+  if (version_of(database) >= schema_version) return;
+  SQLite::Transaction transaction(database);
+  database.exec(later_schema_of(columns));
+  count_rows(database, sealed_tables(columns, schema_version));
+  transaction.commit();
 }
 
 }  // namespace coilwright::archive

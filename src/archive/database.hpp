@@ -35,6 +35,9 @@ void require_whole(const std::filesystem::path& path, SQLite::Database& database
 /// The same of all tables that have checksums: of none where the archive is of before there were any.
 void require_whole(const std::filesystem::path& path, SQLite::Database& database);
 
+/// Gives an archive of version 2 the tables of this one, with the rows that it has counted. Throws SQLite::Exception.
+void bring_up_to_date(SQLite::Database& database, const std::vector<Column>& columns);
+
 /// What SQLite refuses, as an InputError about the archive.
 template <class Task>
 auto reading(const std::filesystem::path& path, Task&& task) {

@@ -20,8 +20,8 @@
 namespace coilwright::archive {
 namespace {
 
-std::size_t hash_of(std::span<const Value> values) {
-  std::uint64_t hash = 0x9E3779B97F4A7C15ULL;
+std::size_t hash_of(std::span<const Value> values, std::string_view choice) {
+  std::uint64_t hash = 0x9E3779B97F4A7C15ULL ^ (choice.empty() ? 0 : std::hash<std::string_view>{}(choice));
   for (const Value& value : values) {
     // + 0.0: one zero, not two; equal numbers must have equal hashes.
     const auto* number = std::get_if<double>(&value);
@@ -78,6 +78,58 @@ void of_condition(const SQLite::Database& database, std::size_t designs, const s
   }
 }
 
+// A table of designs, in which each is found.
+class Shelf {
+ public:
+  Shelf(SQLite::Database& database, Designs table, const std::vector<Column>& columns)
+      : database_(&database),
+        counts_(counts_of(table, columns)),
+        selection_(selection_of(table, columns)),
+        by_id_(database, selection_ + " WHERE id = ?") {}
+
+  [[nodiscard]] const std::string& selection() const noexcept { return selection_; }
+  [[nodiscard]] Row row_of(const SQLite::Statement& selected) const { return archive::row_of(selected, counts_); }
+
+  std::optional<Row> row(std::int64_t id) {
+    by_id_.reset();
+    Binder(by_id_).integer(id);
+    std::optional<Row> found;
+    if (by_id_.executeStep()) found = row_of(by_id_);
+    by_id_.reset();  // a statement under way would hold back the log
+    return found;
+  }
+
+  std::optional<Row> find(std::span<const Value> values, std::string_view choice) {
+    if (!index_) build_index();
+    const std::size_t hash = hash_of(values, choice);
+    const std::pair first{hash, std::numeric_limits<std::int64_t>::min()};
+    for (auto entry = std::ranges::lower_bound(*index_, first); entry != index_->end() && entry->first == hash;
+         ++entry) {
+      std::optional<Row> found = row(entry->second);
+      if (found && found->choice == choice && std::ranges::equal(found->variables, values)) return found;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  // Sixteen bytes a design, and no index that each insertion would have to keep up.
+  void build_index() {
+    SQLite::Statement rows(*database_, selection_);
+    index_.emplace();
+    while (rows.executeStep()) {
+      const Row row = row_of(rows);
+      index_->emplace_back(hash_of(row.variables, row.choice), row.id);
+    }
+    std::ranges::sort(*index_);
+  }
+
+  SQLite::Database* database_;
+  ColumnCounts counts_;
+  std::string selection_;
+  SQLite::Statement by_id_;
+  std::optional<std::vector<std::pair<std::size_t, std::int64_t>>> index_;  // hash of the variables, id
+};
+
 }  // namespace
 
 struct Reader::Connection {
@@ -85,23 +137,17 @@ struct Reader::Connection {
       : path(file),
         database(open_to_read(file)),
         has_checksums(whole_archive_has_checksums()),
-        contents(reading(file, [this] { return read_contents(database); })),
-        counts(counts_of(contents.columns)),
-        selection(selection_of(contents.columns)),
-        by_id(reading(file, [this] { return SQLite::Statement(database, selection + " WHERE id = ?"); })) {}
+        contents(reading(file, [this] { return read_contents(database); })) {
+    reading(file, [this] {
+      designs.emplace(database, Designs::of_the_study, contents.columns);
+      if (version_of(database) >= first_version_with_counts)
+        other_choices.emplace(database, Designs::under_other_choices, contents.columns);
+    });
+  }
 
   bool whole_archive_has_checksums() {
     require_whole(path, database);
     return version_of(database) >= first_version_with_checksums;
-  }
-
-  std::optional<Row> row(std::int64_t id) {
-    by_id.reset();
-    Binder(by_id).integer(id);
-    std::optional<Row> found;
-    if (by_id.executeStep()) found = row_of(by_id, counts);
-    by_id.reset();  // a statement under way would hold back the log
-    return found;
   }
 
   std::size_t size() {
@@ -116,34 +162,12 @@ struct Reader::Connection {
     reading(path, [&] { of_condition(database, size(), sql, task); });
   }
 
-  // Sixteen bytes a design, and no index that each insertion would have to keep up.
-  void build_index() {
-    std::string names;
-    for (const Column& column : contents.columns)
-      if (column.role == Role::variable) names += ", " + sql_name(column.column);
-    SQLite::Statement rows(database, fmt::format("SELECT id{} FROM designs", names));
-    std::vector<Value> values;
-    index.emplace();
-    while (rows.executeStep()) {
-      values.clear();
-      for (int i = 1; i <= static_cast<int>(counts.variables); ++i) {
-        const SQLite::Column cell = rows.getColumn(i);
-        values.emplace_back(cell.isText() ? Value(cell.getString()) : Value(cell.getDouble()));
-      }
-      index->emplace_back(hash_of(values), rows.getColumn(0).getInt64());
-    }
-    std::ranges::sort(*index);
-  }
-
   std::filesystem::path path;
   std::mutex guard;
   SQLite::Database database;
   bool has_checksums;
   Contents contents;
-  ColumnCounts counts;
-  std::string selection;
-  SQLite::Statement by_id;
-  std::optional<std::vector<std::pair<std::size_t, std::int64_t>>> index;  // hash of the variables, id
+  std::optional<Shelf> designs, other_choices;
 };
 
 Reader::Reader(const std::filesystem::path& path) : connection_(std::make_unique<Connection>(path)) {}
@@ -211,30 +235,21 @@ std::vector<Row> Reader::sample(std::size_t count, const std::string& where) con
 
 std::optional<Row> Reader::row(std::int64_t id) const {
   const std::scoped_lock lock(connection_->guard);
-  return reading(connection_->path, [&] { return connection_->row(id); });
+  return reading(connection_->path, [&] { return connection_->designs->row(id); });
 }
 
-std::optional<Row> Reader::find(std::span<const Value> variables) const {
+std::optional<Row> Reader::find(std::span<const Value> variables, std::string_view choice) const {
   const std::scoped_lock lock(connection_->guard);
-  return reading(connection_->path, [&]() -> std::optional<Row> {
-    if (!connection_->index) connection_->build_index();
-    const std::size_t hash = hash_of(variables);
-    const std::vector<std::pair<std::size_t, std::int64_t>>& index = *connection_->index;
-    const std::pair first{hash, std::numeric_limits<std::int64_t>::min()};
-    for (auto entry = std::ranges::lower_bound(index, first); entry != index.end() && entry->first == hash; ++entry) {
-      std::optional<Row> row = connection_->row(entry->second);
-      if (row && std::ranges::equal(row->variables, variables)) return row;
-    }
-    return std::nullopt;
-  });
+  std::optional<Shelf>& shelf = choice.empty() ? connection_->designs : connection_->other_choices;
+  return reading(connection_->path, [&] { return shelf ? shelf->find(variables, choice) : std::nullopt; });
 }
 
 void Reader::each(const Query& query, const std::function<void(const Row&)>& take) const {
   const std::scoped_lock lock(connection_->guard);
   if (!query.order_by.empty() && !is_column(connection_->contents.columns, query.order_by))
     throw std::invalid_argument("no such column: " + query.order_by);
-  connection_->query(connection_->selection + sql_of(query),
-                     [&](SQLite::Statement& rows) { take(row_of(rows, connection_->counts)); });
+  connection_->query(connection_->designs->selection() + sql_of(query),
+                     [&](SQLite::Statement& rows) { take(connection_->designs->row_of(rows)); });
 }
 
 }  // namespace coilwright::archive

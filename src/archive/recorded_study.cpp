@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "coilwright/sizing/study/assumption_effects.hpp"
+
 namespace coilwright::archive {
 namespace {
 
@@ -88,14 +90,32 @@ sizing::Evaluation RecordedStudy::evaluate(std::span<const double> point, std::o
       return counted(std::move(row->evaluation), &Counts::answered);
   }
   if (std::optional<Answer> answer = reused(values)) {
-    record(std::move(values), answer->evaluation, std::nullopt, std::move(answer->origin), number);
+    record({.number = number,
+            .variables = std::move(values),
+            .evaluation = answer->evaluation,
+            .origin = std::move(answer->origin)});
     return counted(std::move(answer->evaluation), &Counts::reused);
   }
+  return counted(evaluate_anew(problem_, point, {.number = number, .variables = std::move(values)}),
+                 &Counts::evaluated);
+}
+
+sizing::Evaluation RecordedStudy::evaluate_under(const std::string& choice, const sizing::DesignProblem& other,
+                                                 std::span<const double> point) {
+  std::vector<Value> values = values_of(problem_.study(), point);
+  if (sources_.known)
+    if (std::optional<Row> row = sources_.known->find(values, choice)) return std::move(row->evaluation);
+  return evaluate_anew(other, point, {.choice = choice, .variables = std::move(values)});
+}
+
+sizing::Evaluation RecordedStudy::evaluate_anew(const sizing::DesignProblem& problem, std::span<const double> point,
+                                                Row row) {
   const auto begin = std::chrono::steady_clock::now();
-  sizing::Evaluation evaluation = problem_.assess(problem_.evaluate(point));
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-  record(std::move(values), evaluation, took.count(), {}, number);
-  return counted(std::move(evaluation), &Counts::evaluated);
+  row.evaluation = problem.assess(problem.evaluate(point));
+  row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  sizing::Evaluation evaluation = row.evaluation;
+  record(std::move(row));
+  return evaluation;
 }
 
 // A design that cannot be built says the same in every study; one that lacks what this study asks for says why only
@@ -123,15 +143,10 @@ sizing::Evaluation RecordedStudy::counted(sizing::Evaluation evaluation, std::si
   return evaluation;
 }
 
-void RecordedStudy::record(std::vector<Value> values, const sizing::Evaluation& evaluation,
-                           std::optional<double> seconds, std::string origin, std::optional<std::size_t> number) {
-  if (!can_be_recorded(evaluation)) return;
-  sources_.writer->add({.number = number,
-                        .variables = std::move(values),
-                        .evaluation = evaluation,
-                        .seconds = seconds,
-                        .ended = unix_time(),
-                        .origin = std::move(origin)});
+void RecordedStudy::record(Row row) {
+  if (!can_be_recorded(row.evaluation)) return;
+  row.ended = unix_time();
+  sources_.writer->add(std::move(row));
 }
 
 Counts RecordedStudy::counts() const {
@@ -160,7 +175,13 @@ std::optional<sizing::Evaluation> evaluated_again(const sizing::DesignProblem& p
   const std::optional<std::vector<double>> point =
       point_of(problem.study(), in_order_of(problem.study(), contents, row.variables));
   if (!point) return std::nullopt;
-  return problem.assess(problem.evaluate(*point));
+  if (row.choice.empty()) return problem.assess(problem.evaluate(*point));
+  for (const actuator::OtherChoice& choice : actuator::other_choices(problem.study().base)) {
+    if (sizing::name_of(choice) != row.choice) continue;
+    const sizing::DesignProblem other = sizing::under(problem, choice);
+    return other.assess(other.evaluate(*point));
+  }
+  return std::nullopt;
 }
 
 std::vector<std::int64_t> designs_with_other_numbers(const sizing::DesignProblem& problem, const Contents& contents,

@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <mutex>
 #include <span>
 #include <system_error>
@@ -75,7 +76,9 @@ void write_contents(SQLite::Database& database, const Contents& contents) {
     Binder(column).text(name_of(each.role)).text(each.name).text(each.meaning).text(each.column);
     column.exec();
   }
-  for (const SealedTable& table : sealed_tables(contents.columns)) database.exec(sealing_of(table));
+  const std::vector<SealedTable> tables = sealed_tables(contents.columns, schema_version);
+  for (const SealedTable& table : tables) database.exec(sealing_of(table));
+  count_rows(database, tables);
   transaction.commit();
 }
 
@@ -109,31 +112,56 @@ void create(const fs::path& path, const Contents& contents) {
   }
 }
 
-Repair repair_designs(const fs::path& path, const EvaluateAgain& again) {
+namespace {
+
+// The designs of a table that are not what was written.
+std::vector<Row> damaged_in(SQLite::Database& database, Designs table, const std::vector<Column>& columns) {
+  std::vector<Row> damaged;
+  SQLite::Statement found(database, fmt::format("{} WHERE checksum IS NOT {} ORDER BY id", selection_of(table, columns),
+                                                checksum_sql(design_columns(table, columns))));
+  while (found.executeStep()) damaged.push_back(row_of(found, counts_of(table, columns)));
+  return damaged;
+}
+
+// Mends or takes out one design, on the disk before the next is evaluated.
+void mend(SQLite::Database& database, Designs table, const std::vector<Column>& columns, const Row& row,
+          Repair& repair) {
+  SQLite::Transaction transaction(database);
+  SQLite::Statement mending(database, mending_of(table, columns));
+  bind_row(mending, table, row, row.id, row.run);
+  if (mending.exec() > 0) {
+    ++repair.mended;
+  } else {
+    database.exec(fmt::format("DELETE FROM {} WHERE id = {}", name_of(table), row.id));
+    count_more(database, name_of(table), -1);
+    table == Designs::of_the_study ? repair.dropped.push_back(row.id) : void(++repair.dropped_choices);
+  }
+  transaction.commit();
+}
+
+}  // namespace
+
+Repair repair_designs(const fs::path& path, const EvaluateAgain& again, const KeepsOn& keeps_on) {
   SQLite::Database database = open_to_write(path);
   const Contents contents = reading(path, [&] { return read_contents(database); });
-  std::vector<SealedTable> tables = sealed_tables(contents.columns);
-  const std::string checksum = checksum_sql(tables.back().columns);
-  tables.pop_back();
+  std::vector<SealedTable> tables = sealed_tables(contents.columns, version_of(database));
+  std::erase_if(tables, [](const SealedTable& table) { return can_be_mended(table.name); });
   require_whole(path, database, tables);
-  std::vector<Row> damaged;
-  reading(path, [&] {
-    SQLite::Statement found(
-        database, fmt::format("{} WHERE checksum IS NOT {} ORDER BY id", selection_of(contents.columns), checksum));
-    while (found.executeStep()) damaged.push_back(row_of(found, counts_of(contents.columns)));
-  });
-  for (Row& row : damaged)
-    if (std::optional<sizing::Evaluation> evaluation = again(contents, row)) row.evaluation = *std::move(evaluation);
   Repair repair;
   writing(path, text::OutputError::Stage::preparing, [&] {
-    SQLite::Transaction transaction(database);
-    SQLite::Statement mending(database, mending_of(contents.columns));
-    for (const Row& row : damaged) {
-      mending.reset();
-      bind_row(mending, row, row.id, row.run);
-      (mending.exec() > 0 ? repair.mended : repair.dropped).push_back(row.id);
+    bring_up_to_date(database, contents.columns);
+    std::vector<std::pair<Designs, Row>> damaged;
+    for (const Designs table : tables_of_designs)
+      for (Row& row : damaged_in(database, table, contents.columns)) damaged.emplace_back(table, std::move(row));
+    for (auto& [table, row] : damaged) {
+      if (!keeps_on(repair.looked_at(), damaged.size())) break;
+      if (std::optional<sizing::Evaluation> evaluation = again(contents, row)) row.evaluation = *std::move(evaluation);
+      mend(database, table, contents.columns, row, repair);
     }
-    database.exec("DELETE FROM designs WHERE checksum IS NOT " + checksum);
+    repair.left = damaged.size() - repair.looked_at();
+    repair.gone = missing_designs(database);
+    SQLite::Transaction transaction(database);
+    count_rows(database, sealed_tables(contents.columns, schema_version));
     transaction.commit();
   });
   database.tryExec("PRAGMA journal_mode = DELETE");
@@ -152,6 +180,7 @@ class Writer::Thread {
     database_.setBusyTimeout(patience_);
     columns_ = reading(path_, [&] { return read_columns(database_); });
     writing(path_, text::OutputError::Stage::preparing, [&] {
+      bring_up_to_date(database_, columns_);
       SQLite::Transaction transaction(database_);
       SQLite::Statement run(database_,
                             fmt::format("INSERT INTO runs (started_utc, max_evaluations) VALUES ({}, ?)", now));
@@ -159,9 +188,11 @@ class Writer::Thread {
       run.exec();
       run_ = database_.getLastInsertRowid();
       seal_run();
+      count_more(database_, "runs", 1);
       transaction.commit();
-      last_id_ = database_.execAndGet("SELECT ifnull(max(id), 0) FROM designs").getInt64();
-      insertion_.emplace(database_, insertion_of(columns_));
+      for (const Designs table : tables_of_designs)
+        insertions_.emplace(
+            table, Insertion{.statement = {database_, insertion_of(table, columns_)}, .last_id = last_id_in(table)});
     });
     thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
   }
@@ -169,7 +200,7 @@ class Writer::Thread {
   ~Thread() {
     thread_.request_stop();
     if (thread_.joinable()) thread_.join();
-    insertion_.reset();
+    insertions_.clear();
     // A finished archive is one file, which is read where nothing can be written. Not while another program reads it.
     database_.tryExec("PRAGMA journal_mode = DELETE");
   }
@@ -233,7 +264,7 @@ class Writer::Thread {
 
  private:
   void seal_run() {
-    for (const SealedTable& table : sealed_tables(columns_))
+    for (const SealedTable& table : sealed_tables(columns_, schema_version))
       if (table.name == "runs") database_.exec(fmt::format("{} WHERE run = {}", sealing_of(table), run_));
   }
 
@@ -290,14 +321,21 @@ class Writer::Thread {
 
   void insert(std::span<const Row> rows) {
     SQLite::Transaction transaction(database_);
-    std::int64_t id = last_id_;
+    std::map<Designs, std::int64_t> more;
     for (const Row& row : rows) {
-      insertion_->tryReset();  // it has the error of an earlier attempt, which is known
-      bind_row(*insertion_, row, ++id, run_);
-      insertion_->exec();
+      const Designs table = table_of(row.choice);
+      Insertion& insertion = insertions_.at(table);
+      insertion.statement.tryReset();  // it has the error of an earlier attempt, which is known
+      bind_row(insertion.statement, table, row, insertion.last_id + ++more[table], run_);
+      insertion.statement.exec();
     }
+    for (const auto& [table, count] : more) count_more(database_, name_of(table), count);
     transaction.commit();
-    last_id_ = id;
+    for (const auto& [table, count] : more) insertions_.at(table).last_id += count;
+  }
+
+  [[nodiscard]] std::int64_t last_id_in(Designs table) {
+    return database_.execAndGet("SELECT ifnull(max(id), 0) FROM " + name_of(table)).getInt64();
   }
 
   [[nodiscard]] std::string refusal_of(const SQLite::Exception& error) const {
@@ -322,8 +360,11 @@ class Writer::Thread {
   int patience_;  // ms
   std::vector<Column> columns_;
   std::int64_t run_{};
-  std::int64_t last_id_{};  // of the designs that are written
-  std::optional<SQLite::Statement> insertion_;
+  struct Insertion {
+    SQLite::Statement statement;
+    std::int64_t last_id{};  // of the designs that are written
+  };
+  std::map<Designs, Insertion> insertions_;
 
   mutable std::mutex guard_;
   std::condition_variable_any changed_;

@@ -59,7 +59,7 @@ void add_archive_filter(CLI::App& command);
 void add_archive_top(CLI::App& command);
 void add_archive_csv(CLI::App& command);
 void add_archive_pick(CLI::App& command);
-void add_archive_check(CLI::App& command);
+void add_archive_check(CLI::App& command, Outcome& outcome);
 /// `outcome` is a failure where a design gives other numbers.
 void add_archive_replay(CLI::App& command, Outcome& outcome);
 

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -73,7 +74,7 @@ struct Assumptions {
 
 // Only of an answer: what keeps no limit anyway rests on more than a choice.
 Assumptions assumptions_of(const DesignProblem& problem, const sizing::SearchResult& result,
-                           const Interruption& interruption, bool quiet) {
+                           archive::RecordedStudy& recorded, const Interruption& interruption, bool quiet) {
   if (!result.feasible) return {};
   const std::size_t choices = actuator::other_choices(problem.study().base).size();
   const bool wanted = problem.study().search.afterwards != sizing::Afterwards::nothing;
@@ -83,8 +84,13 @@ Assumptions assumptions_of(const DesignProblem& problem, const sizing::SearchRes
   const ProgressLine line(std::cerr, place, progress_interval(place), [&] {
     return fmt::format("the design is found; what it rests on: {} of {} modelling choices", looked_at.load(), choices);
   });
-  sizing::AssumptionOptions options{.search = problem.study().search,
-                                    .progress = [&](std::size_t done, std::size_t) { looked_at = done; }};
+  sizing::AssumptionOptions options{
+      .search = problem.study().search,
+      .evaluate =
+          [&](const DesignProblem& other, const actuator::OtherChoice& choice, std::span<const double> point) {
+            return recorded.evaluate_under(sizing::name_of(choice), other, point);
+          },
+      .progress = [&](std::size_t done, std::size_t) { looked_at = done; }};
   // A search that may take few evaluations is not followed by ones of many. One of builds is not searched again: that
   // would cost three times the search, and the choices may stand in the spread itself.
   options.evaluations = problem.study().spread ? 0 : std::min(options.evaluations, options.search.max_evaluations);
@@ -137,7 +143,7 @@ ExitCode run_size(const StudyOptions& options) {
   const DesignResult base = problem.evaluate_base();
   const sizing::Evaluation base_seen = problem.assess(base);
   std::optional<sizing::Yield> built = built_of(problem, result, best, interruption, options.quiet);
-  const Assumptions assumptions = assumptions_of(problem, result, interruption, options.quiet);
+  const Assumptions assumptions = assumptions_of(problem, result, archive.study(), interruption, options.quiet);
   if (interruption.requested()) result.stop_reason = sizing::StopReason::interrupted;
   const formats::SizeReport answer{.study = problem.study(),
                                    .result = result,

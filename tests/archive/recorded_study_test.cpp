@@ -8,6 +8,7 @@
 #include <set>
 
 #include "coilwright/sizing/search/pareto.hpp"
+#include "coilwright/sizing/study/assumption_effects.hpp"
 #include "coilwright/sizing/study/sweep.hpp"
 #include "sizing/small_study.hpp"
 #include "temporary_folder.hpp"
@@ -117,6 +118,26 @@ TEST_F(Recorded, ASearchGoesTheSameWayThroughHalfAnArchive) {
   EXPECT_EQ(counts.answered, recorded_before);
   EXPECT_EQ(counts.evaluated, undisturbed.evaluations - recorded_before);
   EXPECT_EQ(reader("a")->count("number is not null"), undisturbed.evaluations);
+}
+
+TEST_F(Recorded, DesignsUnderAnotherChoiceAreAnsweredToo) {
+  const DesignProblem problem(sizing::testing::small_study());
+  const actuator::OtherChoice choice = actuator::other_choices(problem.study().base).front();
+  const DesignProblem other = sizing::under(problem, choice);
+  const std::vector<double> point = problem.point(0);
+  std::vector<Evaluation> said;
+  for (const std::size_t recorded_before : {0U, 1U}) {
+    const Counts counts = run(problem, "a", [&](RecordedStudy& recorded) {
+      said.push_back(recorded.evaluate_under(sizing::name_of(choice), other, point));
+    });
+    EXPECT_EQ(counts.evaluated + counts.answered, 0U);
+    EXPECT_EQ(reader("a")->size(), 0U) << recorded_before;
+  }
+  EXPECT_EQ(said, std::vector(2, other.assess(other.evaluate(point))));
+  const Row row = reader("a")->find(values_of(problem.study(), point), sizing::name_of(choice)).value();
+  EXPECT_EQ(row.id, 1);
+  EXPECT_EQ(row.run, 1) << "the second run recorded nothing";
+  EXPECT_EQ(evaluated_again(problem, reader("a")->contents(), row), said[0]);
 }
 
 TEST_F(Recorded, AnotherStudyIsAnsweredFromTheQuantities) {

@@ -37,7 +37,7 @@ class Archive(ProgramTest):
                          f'out/archive.sqlite: {counts["total"]} designs of 1 runs, each as it was written.\n')
         self.assertEqual(json.loads(self.archive("check", "--repair", "--json")),
                          {"archive": "out/archive.sqlite", "designs": counts["total"], "runs": 1, "has_checksums": True,
-                          "mended": 0, "dropped": 0, "dropped_rows": []})
+                          "mended": 0, "dropped": 0, "dropped_rows": [], "gone": 0})
 
     def test_a_checksum_is_what_the_docs_say(self):
         self.change("UPDATE designs SET number = number")  # all checksums anew, by the test's own function

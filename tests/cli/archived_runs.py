@@ -15,16 +15,16 @@ from program import PROGRAM
 ARCHIVE = "archive.sqlite"
 
 
-def designs_of(folder):
-    """The designs recorded, in their order, each as it stands; read from a copy, so that the archive stays untouched."""
+def designs_of(folder, table="designs"):
+    """The designs recorded of a table of them, in their order, each as it stands; read from a copy, so that the archive stays untouched."""
     with tempfile.TemporaryDirectory() as copy:
         for path in pathlib.Path(folder).glob(ARCHIVE + "*"):
             shutil.copy(path, copy)
         if not (pathlib.Path(copy) / ARCHIVE).exists():
             return []
         database = sqlite3.connect(pathlib.Path(copy) / ARCHIVE)
-        rows = database.execute("SELECT * FROM designs ORDER BY id").fetchall()
-        names = [each[1] for each in database.execute("PRAGMA table_info(designs)")]
+        rows = database.execute(f"SELECT * FROM {table} ORDER BY id").fetchall()
+        names = [each[1] for each in database.execute(f"PRAGMA table_info({table})")]
         database.close()
     # The order of the search is known once a run has ended, and then written to earlier designs too.
     moving = {names.index("number"), names.index("checksum")}
@@ -90,12 +90,12 @@ def end(process):
         pipe.close()
 
 
-def stop_with_designs(test, process, folder, count):
+def stop_with_designs(test, process, folder, count, table="designs"):
     """Returns when so many designs are recorded, with the process stopped: it goes on only in slices between two looks, so
     that a run of a second does not end before it is interrupted, however late this program is woken."""
     deadline = time.monotonic() + 60
     process.send_signal(signal.SIGSTOP)
-    while len(designs_of(folder)) < count:
+    while len(designs_of(folder, table)) < count:
         test.assertLess(time.monotonic(), deadline)
         test.assertIsNone(process.poll())
         process.send_signal(signal.SIGCONT)

@@ -8,12 +8,14 @@ import shutil
 import signal
 import sqlite3
 import subprocess
+import time
 import unittest
 
 from archived_runs import ARCHIVE, designs_of, end, forge, results_of, start, stop_with_designs
 from program import HANGS, PROGRAM, ProgramTest, run
 from study import FRONT, GRID, write_study
 
+OTHERS = "other_choices"
 ENDLESS = {"max_evaluations": 1000000, "algorithm": "isres"}
 
 
@@ -57,6 +59,30 @@ class Folders(ArchivedStudy):
                 (made, _, _), (again, known, _) = self.runs(command)
                 self.assertEqual((again, known), (0, made))
                 self.assertEqual(len(designs_of(self.folder / command)), made)
+
+    def test_what_is_looked_at_under_other_modelling_choices_is_gone_on_with_too(self):
+        write_study(self, search={"max_evaluations": 40, "seed": 5})
+        whole = self.run_well("size", out="whole")
+        every = designs_of(self.folder / "whole", OTHERS)
+        self.assertGreater(len(every), 100)
+        process = start("size", "study.json", "--out", "out", cwd=self.folder)
+        self.addCleanup(end, process)
+        stop_with_designs(self, process, self.folder / "out", len(every) // 2, OTHERS)
+        process.kill()
+        process.communicate(timeout=HANGS)
+        recorded = designs_of(self.folder / "out", OTHERS)
+        self.assertEqual(self.run_well("size", "--resume"), whole)
+        self.assertEqual(results_of(self.folder / "out"), results_of(self.folder / "whole"))
+        now = designs_of(self.folder / "out", OTHERS)
+        self.assertEqual(now[:len(recorded)], recorded)
+        self.assertEqual(len(now), len(every))
+        # A larger budget goes on from both.
+        before = len(designs_of(self.folder / "out"))
+        larger = self.run_well("size", "--resume", "--max-evaluations", "60")
+        self.assertEqual(larger, self.run_well("size", "--max-evaluations", "60", out="larger"))
+        for table, known in (("designs", before), (OTHERS, len(every))):
+            evaluated = len(designs_of(self.folder / "larger", table))
+            self.assertLess(len(designs_of(self.folder / "out", table)) - known, evaluated * 2 / 3, table)
 
     def test_resume_in_a_new_folder_begins(self):
         write_study(self, search={"max_evaluations": 20})
@@ -208,6 +234,50 @@ class Folders(ArchivedStudy):
         self.assertEqual(results_of(self.folder / "out"), results)
         self.assertEqual(self.runs()[-1][0], 1)
 
+    def test_designs_that_are_gone_are_missed_and_evaluated_again(self):
+        write_study(self, variables=GRID)
+        answer = self.run_well("sweep")
+        results = results_of(self.folder / "out")
+        with contextlib.closing(sqlite3.connect(self.folder / "out" / ARCHIVE)) as database, database:
+            database.execute("DELETE FROM designs WHERE id > 20")
+        result = run("archive", "check", "out", cwd=self.folder)
+        self.assertRegex(result.stderr, r"^coilwright: out/archive\.sqlite: is damaged \(designs has 20 rows, and \d+ were written\): "
+                                        r"coilwright archive check DIR --repair ")
+        repaired = run("archive", "check", "out", "--repair", cwd=self.folder)
+        self.assertRegex(repaired.stdout, r"\n\d+ designs that were written are gone; --resume evaluates them\.\n$")
+        self.assertEqual(self.run_well("sweep", "--resume"), answer)
+        self.assertEqual(results_of(self.folder / "out"), results)
+
+    def test_a_repair_that_is_interrupted_keeps_what_it_has_mended(self):
+        write_study(self, search={"max_evaluations": 200, "seed": 5})
+        answer = self.run_well("size", "--answer-only")
+        whole = designs_of(self.folder / "out")
+        with contextlib.closing(sqlite3.connect(self.folder / "out" / ARCHIVE)) as database, database:
+            database.execute("UPDATE designs SET mass_g = -1")
+        process = start("archive", "check", "out", "--repair", cwd=self.folder)
+        self.addCleanup(end, process)
+        mended = 0
+        deadline = time.monotonic() + HANGS
+        process.send_signal(signal.SIGSTOP)
+        while mended == 0:
+            self.assertLess(time.monotonic(), deadline)
+            process.send_signal(signal.SIGCONT)
+            time.sleep(0.005)
+            process.send_signal(signal.SIGSTOP)
+            mended = sum(row in whole for row in designs_of(self.folder / "out"))
+        process.send_signal(signal.SIGINT)
+        process.send_signal(signal.SIGCONT)
+        output, errors = process.communicate(timeout=HANGS)
+        mended = sum(row in whole for row in designs_of(self.folder / "out"))
+        self.assertEqual((process.returncode, errors),
+                         (130, f"coilwright: interrupted: {len(whole) - mended} damaged designs are left; the same command goes on\n"))
+        self.assertGreater(mended, 0)
+        self.assertEqual(output, f"Damaged designs evaluated anew: {mended} are as they were written again, 0 were taken out.\n")
+        again = run("archive", "check", "out", "--repair", cwd=self.folder)
+        self.assertIn(f"Damaged designs evaluated anew: {len(whole) - mended} are as they were written again, 0 were", again.stdout)
+        self.assertEqual(designs_of(self.folder / "out"), whole)
+        self.assertEqual(self.run_well("size", "--answer-only"), answer)
+
     def test_a_budget_that_was_changed_in_the_study_is_told_by_its_option(self):
         write_study(self, objectives=FRONT, search={"max_evaluations": 40, "seed": 5})
         self.run_well("pareto")
@@ -279,13 +349,14 @@ class Folders(ArchivedStudy):
     def test_files_that_are_no_archive_or_of_a_later_version_are_left_alone(self):
         write_study(self, search={"max_evaluations": 20})
         self.run_well("size")
-        self.change("PRAGMA user_version = 3")
+        self.change("PRAGMA user_version = 4")
         self.assert_refused(["size", "study.json", "--out", "out", "--resume"],
-                            "out/archive.sqlite: was written by a later coilwright: it is an archive of version 3, and "
-                            "this program reads up to version 2")
+                            "out/archive.sqlite: was written by a later coilwright: it is an archive of version 4, and "
+                            "this program reads up to version 3")
         self.write("out/" + ARCHIVE, "notes")
         self.assert_refused(["size", "study.json", "--out", "out"],
-                            "out/archive.sqlite: is no archive of a study: file is not a database")
+                            "out/archive.sqlite: is no archive of a study, or a torn one: file is not a database; the command that "
+                            "made it makes it anew with --force")
 
     def test_files_in_the_place_of_its_logs_are_left_alone(self):
         write_study(self, search={"max_evaluations": 20})

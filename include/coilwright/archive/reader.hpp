@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "coilwright/archive/contents.hpp"
@@ -30,8 +31,8 @@ struct Query {
 class Reader {
  public:
   /// Throws InputError for a file that is no archive or of a later version, has more in it than an archive (a view, a
-  /// trigger), cannot be read, or has a row that is not what was written: every checksum is looked at, which takes some
-  /// seconds for a million designs.
+  /// trigger), cannot be read, lacks a row, or has one that is not what was written: every checksum is looked at, which
+  /// takes some seconds for a million designs.
   explicit Reader(const std::filesystem::path& path);
   ~Reader();
   Reader(Reader&&) noexcept;
@@ -47,7 +48,7 @@ class Reader {
   /// The runs that wrote to it, in their order.
   [[nodiscard]] std::vector<Run> runs() const;
 
-  /// Number of designs recorded.
+  /// Number of designs recorded, as the study has them: what is under another modelling choice is for find() alone.
   [[nodiscard]] std::size_t size() const;
 
   /// Number of designs that hold a condition in SQL. Throws std::invalid_argument as each().
@@ -60,9 +61,9 @@ class Reader {
   /// The design of that id, if there is one.
   [[nodiscard]] std::optional<Row> row(std::int64_t id) const;
 
-  /// The design with these values of the archive's variables, in the order of its columns. The first call looks at all
-  /// designs; of those recorded after it, none is found.
-  [[nodiscard]] std::optional<Row> find(std::span<const Value> variables) const;
+  /// The design with these values of the archive's variables, in the order of its columns, as the study has it or under
+  /// another modelling choice. The first call looks at all designs; of those recorded after it, none is found.
+  [[nodiscard]] std::optional<Row> find(std::span<const Value> variables, std::string_view choice = {}) const;
 
   /// Calls `take` with each design of a query. Throws std::invalid_argument with what SQLite says of a condition that
   /// is none, or of an order that is no column, and of a condition that takes more than about a second and 0.1 ms a

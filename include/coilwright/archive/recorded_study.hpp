@@ -50,6 +50,10 @@ class RecordedStudy {
   [[nodiscard]] sizing::Evaluation evaluate(std::span<const double> point,
                                             std::optional<std::size_t> number = std::nullopt);
 
+  /// The same of the study under another modelling choice, `other`, which counts() leaves out.
+  [[nodiscard]] sizing::Evaluation evaluate_under(const std::string& choice, const sizing::DesignProblem& other,
+                                                  std::span<const double> point);
+
   /// So far. From any thread.
   [[nodiscard]] Counts counts() const;
 
@@ -63,8 +67,10 @@ class RecordedStudy {
   };
   [[nodiscard]] std::optional<Answer> reused(std::span<const Value> values) const;
   [[nodiscard]] sizing::Evaluation counted(sizing::Evaluation evaluation, std::size_t Counts::*source);
-  void record(std::vector<Value> values, const sizing::Evaluation& evaluation, std::optional<double> seconds,
-              std::string origin, std::optional<std::size_t> number);
+  // Evaluates and records; the row has all but what comes out.
+  [[nodiscard]] sizing::Evaluation evaluate_anew(const sizing::DesignProblem& problem, std::span<const double> point,
+                                                 Row row);
+  void record(Row row);
 
   sizing::DesignProblem problem_;
   Sources sources_;

@@ -26,9 +26,10 @@ using Value = std::variant<double, std::string>;
 
 /// One evaluation, as an archive keeps it.
 struct Row {
-  std::int64_t id{};                    ///< its place in the order of recording, from 1
+  std::int64_t id{};                    ///< its place in the order of recording in its table, from 1
   std::int64_t run{};                   ///< the run that recorded it
   std::optional<std::size_t> number{};  ///< its place in the order of the search, from 1; nothing until a run has ended
+  std::string choice{};                 ///< the other modelling choice that it is under; empty as the study has it
   std::vector<Value> variables{};       ///< in the order of the archive's columns
   sizing::Evaluation evaluation{};      ///< bit by bit what came out
   std::optional<double> seconds{};      ///< that the evaluation took; nothing where another archive answered

@@ -21,21 +21,30 @@ namespace coilwright::archive {
 /// the name of one (archive.sqlite-wal).
 void create(const std::filesystem::path& path, const Contents& contents);
 
-/// The designs of an archive that were not what was written, by their ids.
+/// The designs of an archive that were not what was written.
 struct Repair {
-  std::vector<std::int64_t> mended{};   ///< that are what was written again
-  std::vector<std::int64_t> dropped{};  ///< that were taken out
+  std::size_t mended{};                 ///< that are what was written again
+  std::vector<std::int64_t> dropped{};  ///< ids of those that were taken out
+  std::size_t dropped_choices{};        ///< those under other modelling choices that were taken out
+  std::size_t left{};                   ///< that are damaged still, because it was told to stop
+  std::int64_t gone{};                  ///< that were written and are not there
+
+  [[nodiscard]] std::size_t looked_at() const { return mended + dropped.size() + dropped_choices; }
 };
+
+/// Asked before each evaluation, with how many are done of how many: whether the repair goes on.
+using KeepsOn = std::function<bool(std::size_t done, std::size_t of)>;
 
 /// The evaluation anew of a design of an archive, with as many numbers as it has columns; nothing where it has none.
 using EvaluateAgain = std::function<std::optional<sizing::Evaluation>(const Contents&, const Row&)>;
 
 /// Evaluates the designs of an archive anew that are not what was written. Where the checksum holds with what comes
 /// out, the row is what was written, to the last bit, and is mended. Else the damage is in what no evaluation gives
-/// (its variables, its time), or the program gives other numbers: it is taken out, and a run that goes on evaluates it.
-/// Throws InputError where anything else is damaged, of which nothing can be made again, and text::OutputError
-/// (preparing) where it cannot be written.
-[[nodiscard]] Repair repair_designs(const std::filesystem::path& path, const EvaluateAgain& again);
+/// (its variables, its time), or the program gives other numbers: it is taken out, and a run that goes on evaluates it,
+/// as it does what is gone. Each is on the disk before the next is evaluated. Throws InputError where anything else is
+/// damaged, of which nothing can be made again, and text::OutputError (preparing) where it cannot be written.
+[[nodiscard]] Repair repair_designs(const std::filesystem::path& path, const EvaluateAgain& again,
+                                    const KeepsOn& keeps_on);
 
 /// Writes the designs of one run to an archive. A thread of its own does so, a tenth of a second's designs at a time,
 /// and no evaluation waits for the disk: what add() has taken is on the disk at most 0.2 s later, whatever then becomes

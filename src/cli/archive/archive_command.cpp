@@ -13,7 +13,7 @@ void add_archive_command(CLI::App& app, Outcome& outcome) {
   add_archive_csv(*command);
   add_archive_pick(*command);
   add_archive_replay(*command, outcome);
-  add_archive_check(*command);
+  add_archive_check(*command, outcome);
   command->footer(
       "DIR is the folder that was given as --out; its archive may be read while a run writes to it. A row is a "
       "design's\n"

@@ -17,14 +17,8 @@ double gain(const StudyObjective& objective, double value, double reference) {
   return change / std::max(std::abs(reference), 1e-12 * objective.quantity.scale);
 }
 
-DesignProblem under(const DesignProblem& problem, const actuator::OtherChoice& choice) {
-  Study study = problem.study();
-  study.base = choice.design;
-  return DesignProblem(std::move(study));
-}
-
 // Adds to `evaluations` what it takes.
-std::optional<Record> other_best(const DesignProblem& other, const Record& best, const AssumptionOptions& options,
+std::optional<Record> other_best(Problem problem, const Record& best, const AssumptionOptions& options,
                                  std::size_t& evaluations) {
   if (options.evaluations == 0) return std::nullopt;
   SearchOptions search_options = options.search;
@@ -32,7 +26,6 @@ std::optional<Record> other_best(const DesignProblem& other, const Record& best,
   search_options.max_evaluations = options.evaluations;
   search_options.afterwards = Afterwards::nothing;
   search_options.progress = {};
-  Problem problem = other.problem();
   problem.start = best.point;
   SearchResult found = search(problem, search_options);
   evaluations += found.search_evaluations;
@@ -41,6 +34,16 @@ std::optional<Record> other_best(const DesignProblem& other, const Record& best,
 }
 
 }  // namespace
+
+std::string name_of(const actuator::OtherChoice& choice) {
+  return std::string(choice.subject) + ": " + choice.otherwise;
+}
+
+DesignProblem under(const DesignProblem& problem, const actuator::OtherChoice& choice) {
+  Study study = problem.study();
+  study.base = choice.design;
+  return DesignProblem(std::move(study));
+}
 
 std::optional<WorstMargin> worst_margin(const Study& study, const Evaluation& evaluation) {
   if (!evaluation.failure.empty() || study.limits.empty()) return std::nullopt;
@@ -60,11 +63,14 @@ std::vector<AssumptionEffect> assumption_effects(const DesignProblem& problem, c
     const DesignProblem other = under(problem, choice);
     AssumptionEffect effect;
     effect.evaluations = 1;
-    effect.evaluation = other.assess(other.evaluate(best.point));
+    Problem asked = other.problem();
+    if (options.evaluate)
+      asked.evaluate = [&](std::span<const double> point) { return options.evaluate(other, choice, point); };
+    effect.evaluation = asked.evaluate(best.point);
     effect.worst = worst_margin(study, effect.evaluation);
     effect.is_built = effect.evaluation.failure.empty() ||
                       std::holds_alternative<actuator::Assembly>(actuator::assemble(other.design_at(best.point)));
-    if (effect.is_built) effect.other_best = other_best(other, best, options, effect.evaluations);
+    if (effect.is_built) effect.other_best = other_best(std::move(asked), best, options, effect.evaluations);
     if (options.search.stop.stop_requested()) break;
     if (effect.other_best && effect.other_best->point != best.point) {
       const double reached = effect.other_best->evaluation.objectives.front();

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <mutex>
+#include <string>
+
 #include "coilwright/sizing/search/search.hpp"
 #include "sizing/small_study.hpp"
 
@@ -44,6 +48,28 @@ TEST(AssumptionEffects, AreThoseOfTheAnswerItself) {
     EXPECT_EQ(effect.evaluation.constraints, expected.constraints);
     EXPECT_FALSE(effect.other_best);
     EXPECT_FALSE(effect.changes_design);
+  }
+}
+
+TEST(AssumptionEffects, AskForEveryDesignByTheOneWhoRecordsThem) {
+  const DesignProblem problem(with_one_objective());
+  const Record best = answer_of(problem);
+  std::map<std::string, std::size_t> asked;
+  std::mutex guard;
+  AssumptionOptions options{.evaluations = 10, .search = {.threads = 2}};
+  const auto direct = assumption_effects(problem, best, options);
+  options.evaluate = [&](const DesignProblem& other, const actuator::OtherChoice& choice,
+                         std::span<const double> point) {
+    const std::scoped_lock lock(guard);
+    ++asked[name_of(choice)];
+    return other.assess(other.evaluate(point));
+  };
+  const auto effects = assumption_effects(problem, best, options);
+  ASSERT_EQ(effects.size(), direct.size());
+  EXPECT_EQ(asked.size(), effects.size()) << "each choice has a name of its own";
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    EXPECT_EQ(effects[i].evaluation, direct[i].evaluation);
+    EXPECT_EQ(effects[i].evaluations, asked.at(name_of(effects[i].choice)));
   }
 }
 

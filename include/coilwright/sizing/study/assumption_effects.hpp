@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,10 +37,21 @@ struct AssumptionEffect {
 /// How much a search under another choice must gain before it counts as another answer, relative to the objective.
 inline constexpr double gain_of_another_design = 0.01;
 
+/// "hinge: beam", by which a choice is known among the others of its study.
+[[nodiscard]] std::string name_of(const actuator::OtherChoice& choice);
+
+/// The problem of a study whose own actuator is made under another choice.
+[[nodiscard]] DesignProblem under(const DesignProblem& problem, const actuator::OtherChoice& choice);
+
 /// How the other choices are searched.
 struct AssumptionOptions {
   std::size_t evaluations = 300;  ///< of the search under each other choice; 0 for none
   SearchOptions search{};         ///< its seed, threads and stop token are used
+  /// Evaluates a point of `other`, which is the problem under `choice`, from any thread, say from what is recorded.
+  /// Empty: other.problem().evaluate.
+  std::function<Evaluation(const DesignProblem& other, const actuator::OtherChoice& choice,
+                           std::span<const double> point)>
+      evaluate{};
   /// Called before each choice, on the caller's thread: how many were looked at, of how many. May be empty.
   std::function<void(std::size_t looked_at, std::size_t of)> progress{};
 };

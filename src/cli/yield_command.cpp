@@ -120,9 +120,14 @@ ExitCode run_yield(const YieldCommandOptions& options) {
                                                                  options.quiet);
   if (yield) std::cout << (options.json ? formats::to_json(*yield).text() : report::to_text(*yield)) << std::flush;
   if (!interruption.requested()) return ExitCode::done;
-  std::cerr << fmt::format(
-      "coilwright: interrupted: {} of {} builds were made{}\n", yield ? yield->builds : 0, options.builds,
-      options.worth_builds > 0 && (!yield || yield->worths.empty()) ? ", and no scatter has its worth" : "");
+  std::string worths;
+  if (options.worth_builds > 0 && (!yield || yield->worths.empty()))
+    worths = ", and no scatter has its worth";
+  else if (yield && yield->worths_left > 0)
+    worths = fmt::format(", and {} of {} scatters have their worth", yield->worths.size(),
+                         yield->worths.size() + yield->worths_left);
+  std::cerr << fmt::format("coilwright: interrupted: {} of {} builds were made{}\n", yield ? yield->builds : 0,
+                           options.builds, worths);
   return ExitCode::interrupted;
 }
 
@@ -159,8 +164,8 @@ void add_yield_command(CLI::App& app, Outcome& outcome) {
       "and how many builds keep each limit and "
       "all.\n"
       "With --worth also Sobol's indices, and what half of each scatter would bring. What the spread leaves out (an\n"
-      "effect that nobody knows) is not in it. Ctrl-C prints what the builds made so far say; the exit code is then "
-      "130.\n\n"
+      "effect that nobody knows) is not in it. Ctrl-C prints what the builds made so far say, and the scatters\n"
+      "whose builds are complete; the exit code is then 130.\n\n"
       "Example:\n"
       "  coilwright yield configs/studies/robust_finger.json results/robust_finger/actuator.json");
   command->callback([options, &outcome] { outcome.code = run_yield(*options); });

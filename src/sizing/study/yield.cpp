@@ -320,28 +320,31 @@ Spread with_half(Spread spread, const Input& input) {
   return spread;
 }
 
-std::optional<std::vector<ScatterWorth>> worths_of(const Spread& spread, const std::vector<Input>& inputs,
-                                                   Builder& builder, const YieldOptions& options) {
+// Of the inputs whose builds were made before a stop, one after the other.
+std::vector<ScatterWorth> worths_of(const Spread& spread, const std::vector<Input>& inputs, Builder& builder,
+                                    const YieldOptions& options) {
   const std::size_t dimension = spread.scatters.size();
+  const std::vector<Shares> shares = saltelli_designs(inputs, dimension, options.worth_builds, options.seed);
   std::vector<Values> designs;
-  for (const Shares& shares : saltelli_designs(inputs, dimension, options.worth_builds, options.seed)) {
-    std::optional<Values> values = builder.values(spread, shares);
-    if (!values) return std::nullopt;
-    designs.push_back(std::move(*values));
-  }
+  const auto build = [&](std::size_t index) {
+    std::optional<Values> values = builder.values(spread, shares[index]);
+    if (values) designs.push_back(*std::move(values));
+    return values.has_value();
+  };
+  if (!build(0) || !build(1)) return {};
   std::vector<ScatterWorth> out;
   const Shares dice = random_shares(dimension, options.worth_builds, options.seed + 1);
   for (const Input& input : inputs) {
-    const std::optional<Values> values = builder.values(with_half(spread, input), dice);
-    if (!values) return std::nullopt;
+    const std::optional<Values> halved = builder.values(with_half(spread, input), dice);
+    if (!halved || !build(2 + out.size())) break;
     out.push_back(
-        {.scatter = input.name, .keeps_all = share_of(count_keeping_all(builder.asked(), *values), dice.size())});
+        {.scatter = input.name, .keeps_all = share_of(count_keeping_all(builder.asked(), *halved), dice.size())});
   }
   for (std::size_t quantity = 0; quantity < builder.asked().size(); ++quantity) {
     const std::optional<SaltelliValues> values = complete(designs, quantity);
     const std::optional<SobolIndices> indices =
         values ? sobol_indices(*values, options.seed) : std::optional<SobolIndices>();
-    for (std::size_t input = 0; input < inputs.size(); ++input) {
+    for (std::size_t input = 0; input < out.size(); ++input) {
       out[input].first.push_back(indices ? std::optional(indices->first[input]) : std::nullopt);
       out[input].total.push_back(indices ? std::optional(indices->total[input]) : std::nullopt);
     }
@@ -399,9 +402,9 @@ std::optional<Yield> yield_of(const Study& study, const EvaluatedDesign& design,
             .keeps_all = share_of(count_keeping_all(builder.asked(), values), builds.size())};
   for (std::size_t i = 0; i < builder.asked().size(); ++i)
     out.quantities.push_back(built_quantity(builder.asked()[i], values[i], design));
-  if (options.worth_builds == 0 || options.stop.stop_requested()) return out;
-  if (std::optional<std::vector<ScatterWorth>> worths = worths_of(spread, inputs, builder, options))
-    out.worths = std::move(*worths);
+  if (options.worth_builds == 0) return out;
+  out.worths = worths_of(spread, inputs, builder, options);
+  out.worths_left = inputs.size() - out.worths.size();
   return out;
 }
 

@@ -368,6 +368,24 @@ TEST(YieldOf, GivesTheWorthOfEachScatter) {
   EXPECT_NEAR(yield->worths[1].keeps_all.value, 0.84134, 0.04);  // one, as it is
 }
 
+TEST(YieldOf, GivesTheWorthsWhoseBuildsWereMadeBeforeAStop) {
+  const Study study =
+      study_with(spread_of({normal("current_A", 0.02, true), normal("magnet_length_mm", 0.05)}), 1.2 * 1.02);
+  std::stop_source stop;
+  YieldOptions options{.builds = 20, .worth_builds = 50, .threads = 1, .stop = stop.get_token()};
+  const auto whole = yield_of(study, paper_like(1.2), {.builds = 20, .worth_builds = 50, .threads = 1});
+  // Two sums that all need and two of the first scatter are complete, and the second one's are not.
+  options.progress = [&stop](std::size_t done, std::size_t) {
+    if (done == 20 + 4 * 50 + 60) stop.request_stop();
+  };
+  const auto yield = yield_of(study, paper_like(1.2), options);
+  ASSERT_EQ(yield->worths.size(), 1u);
+  EXPECT_EQ(yield->worths_left, 1u);
+  EXPECT_EQ(yield->worths[0].scatter, "current_A");
+  EXPECT_EQ(yield->worths[0].keeps_all.value, whole->worths[0].keeps_all.value);
+  EXPECT_EQ(yield->worths[0].total[0].value().value, whole->worths[0].total[0].value().value);
+}
+
 // Together they are one input: its share is all, whatever each has of it.
 TEST(YieldOf, TakesWhatScattersTogetherAsOne) {
   Spread spread =
@@ -405,6 +423,7 @@ TEST(YieldOf, IsOfTheBuildsMadeBeforeAStop) {
   ASSERT_TRUE(yield);
   EXPECT_EQ(yield->builds, 12u);
   EXPECT_TRUE(yield->worths.empty());
+  EXPECT_EQ(yield->worths_left, 1u);
   EXPECT_FALSE(yield_of(study, paper_like(1.2), options));  // now it is asked before the first
 }
 

@@ -64,6 +64,7 @@ struct Yield {
   Share keeps_all{};                     ///< of the builds that keep every limit
   std::vector<BuiltQuantity> quantities{};
   std::vector<ScatterWorth> worths{};  ///< one a scatter; empty where none were asked for
+  std::size_t worths_left{};           ///< scatters whose worth was asked for and not worked out: it was stopped
 };
 
 /// How builds are drawn.
@@ -78,8 +79,8 @@ struct YieldOptions {
 
 /// Builds a design of `study` many times: its objectives, its limits and the thermal load with its driver's ripple. Of
 /// a limit or an objective on a statistic ("p95_coil_hot_spot_degC <= 130") each build is held against the limit
-/// itself, of one on a mean or a deviation none is. After a stop it is of the builds made so far, without worths;
-/// nothing where none was made. Throws std::invalid_argument for a study without a spread.
+/// itself, of one on a mean or a deviation none is. After a stop it is of the builds made so far, with the worths
+/// whose builds were all made; nothing where none was made. Throws std::invalid_argument for a study without a spread.
 [[nodiscard]] std::optional<Yield> yield_of(const Study& study, const EvaluatedDesign& design,
                                             const YieldOptions& options);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "coilwright/formats/study/design_tables.hpp"
+#include "coilwright/report/simulation/percent.hpp"
 #include "coilwright/report/text_table.hpp"
 
 namespace coilwright::report {
@@ -16,7 +17,7 @@ using namespace sizing;
 
 std::string objective_change(double value, double promised) {
   if (promised == 0.0) return short_number(value);
-  return fmt::format("{} ({:+.1f} %)", short_number(value), 100.0 * (value - promised) / std::abs(promised));
+  return fmt::format("{} ({})", short_number(value), percent_change((value - promised) / std::abs(promised)));
 }
 
 std::string limit_phrase(const Limit& limit, double constraint) {

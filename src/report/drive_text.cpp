@@ -5,6 +5,7 @@
 #include <cmath>
 #include <variant>
 
+#include "coilwright/report/simulation/percent.hpp"
 #include "coilwright/report/text_table.hpp"
 #include "coilwright/units/unit.hpp"
 
@@ -18,10 +19,6 @@ using enum TextTable::Align;
 
 std::string number(double value) {
   return fmt::format("{:.5g}", value);
-}
-
-std::string percent(double share) {
-  return fmt::format("{:.3g} %", 100.0 * share);
 }
 
 bool is_cell(const DriveQuestion& question) {

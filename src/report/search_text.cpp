@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "coilwright/report/simulation/percent.hpp"
 #include "coilwright/sizing/problem/late_gain.hpp"
 
 namespace coilwright::report {
@@ -29,8 +30,8 @@ std::string late_gain_text(sizing::StopReason reason, const sizing::Archive& arc
     return of_front ? " The last fifth of them added nothing to the front."
                     : " The last fifth of them found nothing better.";
   std::string text =
-      of_front ? fmt::format(" The last fifth of them added {:.2g} % of what the front dominates", 100.0 * *gain)
-               : fmt::format(" The last fifth of them bettered the objective by {:.2g} %", 100.0 * *gain);
+      of_front ? fmt::format(" The last fifth of them added {} of what the front dominates", percent(*gain, 2))
+               : fmt::format(" The last fifth of them bettered the objective by {}", percent(*gain, 2));
   constexpr double worth_more = 0.01;
   return text + (*gain < worth_more ? "." : ": more evaluations (--max-evaluations) would find better.");
 }

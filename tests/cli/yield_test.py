@@ -29,7 +29,10 @@ class Spread(ProgramTest):
             ({}, '/spread: needs "parts" or a number that scatters'),
             ({"parts": "all"}, '/spread/parts: must be "usual" (coilwright list spreads); got text "all"'),
             ({"gap": {"sd": 0.1}}, '/spread/gap: is no number of an actuator or a block that may scatter; did you mean "gap_mm"?'),
-            ({"turns_radial": {"sd": 1}}, "/spread/turns_radial: is no number of an actuator or a block that may scatter"),
+            ({"turns_radial": {"sd": 1}}, "/spread/turns_radial: is a whole number, of which every build has the designed one: it cannot "
+             "scatter"),
+            ({"posterior": "none.json"}, '/spread/posterior: must name the diagnosis.json of a diagnosis, and there is no none.json; got '
+             'text "none.json"'),
             ({"gap_mm": {}}, '/spread/gap_mm: needs one of "sd", "relative_sd", "uniform", "relative_uniform"'),
             ({"gap_mm": {"sd": 0}}, "/spread/gap_mm/sd: must be > 0 and <= 1000000; got 0"),
             ({"gap_mm": {"relative_sd": 0.3}}, "/spread/gap_mm/relative_sd: must be > 0 and <= 0.25; got 0.3"),
@@ -86,6 +89,9 @@ class Spread(ProgramTest):
     def test_a_statistic_needs_a_spread_and_a_quantity(self):
         self.refused('/objectives/0/maximise: is a statistic of builds: needs the block "spread" in the study; '
                      'got text "p05_mass_g"', objectives=[{"maximise": "p05_mass_g"}])
+        for changes in ({}, SPREAD):
+            self.refused('/objectives/0/maximise: must be a quantity that evaluate prints; did you mean "p05_mass_g"? A percentile '
+                         'has two digits; got text "p5_mass_g"', **changes, objectives=[{"maximise": "p5_mass_g"}])
         write_study(self, **SPREAD, objectives=[{"maximise": "p05_mas_g"}])
         result = run("size", "study.json", "--out", "out", cwd=self.folder)
         self.assertEqual(result.returncode, 2)

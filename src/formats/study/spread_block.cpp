@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -54,6 +56,8 @@ Scatter read_scatter(const Node& node, const std::string& name) {
 
 [[noreturn]] void refuse_name(const Node& node, const std::string& name, const std::vector<BlockVariable>& of_blocks) {
   if (const auto rule = missing_block(name, of_blocks)) throw node.error_without_value(*rule);
+  if (actuator::find_parameter(name) != nullptr)
+    throw node.error_without_value("is a whole number, of which every build has the designed one: it cannot scatter");
   std::vector<std::string> names = sizing::further_number_names();
   names.insert(names.end(), std::begin(keys_of_spread), std::end(keys_of_spread));
   for (const BlockVariable& known : of_blocks) names.push_back(known.name);
@@ -115,6 +119,10 @@ void read_correlation_into(Spread& spread, const Node& node, std::set<std::size_
 
 // What a diagnosis knows of the actuator that it wrote. Beside what builds scatter: a number may be in both.
 void read_posterior_into(Spread& spread, const Node& node, const InputText* text) {
+  std::error_code error;
+  if (text == nullptr && !std::filesystem::exists(node.path(), error))
+    throw node.error(
+        fmt::format("must name the diagnosis.json of a diagnosis, and there is no {}", node.path().string()));
   const Document document = text != nullptr ? parse_json(text->text, text->file) : read_json(node.path());
   const Node root = document.root();
   const auto format = root.find("format");

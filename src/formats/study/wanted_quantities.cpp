@@ -24,7 +24,16 @@ using simulation::ResultQuantity;
 
 constexpr Rule limit_rule = Rule::between(-1e12, 1e12);
 
+// "p5_mass_g" for "p05_mass_g".
+std::optional<std::string> with_two_digits(std::string_view name, const QuantityTable& quantities) {
+  if (name.size() < 3 || name[0] != 'p' || name[1] < '1' || name[1] > '9' || name[2] != '_') return std::nullopt;
+  const std::string meant = "p0" + std::string(name.substr(1));
+  return quantities.find(statistic_named(meant)->quantity) == nullptr ? std::nullopt : std::optional(meant);
+}
+
 std::string nearest_quantity(std::string_view name, const QuantityTable& quantities) {
+  if (const auto percentile = with_two_digits(name, quantities))
+    return fmt::format("; did you mean \"{}\"? A percentile has two digits", *percentile);
   std::vector<std::string> names;
   for (const ResultQuantity& quantity : quantities) names.push_back(quantity.name);
   const std::string meant = did_you_mean(name, names);

@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "coilwright/report/simulation/percent.hpp"
+
 namespace coilwright::report {
 namespace {
 
@@ -35,7 +37,7 @@ FigureChange change_of(std::string_view name, const DesignView& taken, const Des
   if (!reference || *reference == 0.0)
     return {.text = fmt::format("{} {:.4g}", name, *value), .is_noticeable = value != reference};
   const double change = (*value - *reference) / std::abs(*reference);
-  return {.text = fmt::format("{} {:.4g} ({:+.1f} %)", name, *value, 100.0 * change),
+  return {.text = fmt::format("{} {:.4g} ({})", name, *value, percent_change(change)),
           .is_noticeable = std::abs(change) >= noticeable};
 }
 

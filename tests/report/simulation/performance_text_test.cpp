@@ -15,6 +15,7 @@
 
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
+#include "coilwright/report/simulation/percent.hpp"
 #include "coilwright/text/json/document.hpp"
 
 namespace coilwright::report {
@@ -29,6 +30,19 @@ QuantityTable table_with_aspect_ratio() {
                                                  .value = [](const simulation::DesignView& d) {
                                                    return d.assembly.dimensions.width / d.assembly.dimensions.height;
                                                  }});
+}
+
+TEST(Percent, IsNoPowerOfTenAndHasNoSignWhereNothingIsLeft) {
+  EXPECT_EQ(percent(0.00123), "0.123 %");
+  EXPECT_EQ(percent(0.1234), "12.3 %");
+  EXPECT_EQ(percent(11.5432), "1154 %");
+  EXPECT_EQ(percent(9.996), "1000 %");
+  EXPECT_EQ(percent(0.0612, 2), "6.1 %");
+  EXPECT_EQ(percent(1.55, 2), "155 %");
+  EXPECT_EQ(percent_change(0.0391), "+3.9 %");
+  EXPECT_EQ(percent_change(-0.12), "-12.0 %");
+  EXPECT_EQ(percent_change(4e-4), "0.0 %");
+  EXPECT_EQ(percent_change(-4e-4), "0.0 %");
 }
 
 struct Row {

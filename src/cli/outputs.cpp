@@ -44,6 +44,7 @@ text::OutputError other_content(const std::filesystem::path& file) {
 }  // namespace
 
 void keep_others(text::OutputFolder& folder, bool force) {
+  folder.lock();  // until it is committed, so that what is found is what is replaced
   if (force) return;
   if (const auto file = folder.first_change()) throw other_content(*file);
 }

@@ -86,11 +86,8 @@ std::string progress_text(const archive::Counts& counts, const Pace& pace, const
 
 RunArchive::RunArchive(const StudyOptions& options, const StudyInput& input, const sizing::DesignProblem& problem,
                        std::optional<std::size_t> max_evaluations, text::OutputFolder& folder)
-    : folder_(folder),
-      path_(folder.path() / archive_name),
-      max_evaluations_(max_evaluations),
-      json_(options.json),
-      lock_(folder.path()) {
+    : folder_(folder), path_(folder.path() / archive_name), max_evaluations_(max_evaluations), json_(options.json) {
+  folder.lock();
   keep_inputs_of(input, folder.path());
   const archive::Contents asked = contents_of(problem.study(), input.provenance, input.builds_a_system);
   take_others(options, asked, problem);

@@ -14,7 +14,6 @@
 #include "coilwright/sizing/study/design_problem.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_folder.hpp"
-#include "folder_lock.hpp"
 #include "progress_line.hpp"
 #include "study_run.hpp"
 
@@ -62,7 +61,6 @@ class RunArchive {
   std::filesystem::path path_;
   std::optional<std::size_t> max_evaluations_;
   bool json_;
-  FolderLock lock_;
   archive::RecordedStudy::Sources sources_;
   std::shared_ptr<archive::Writer> writer_;
   std::unique_ptr<archive::RecordedStudy> recorded_;

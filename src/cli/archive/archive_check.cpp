@@ -11,7 +11,6 @@
 
 #include "cli/archive_contents.hpp"
 #include "cli/commands.hpp"
-#include "cli/folder_lock.hpp"
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress_line.hpp"
@@ -19,6 +18,7 @@
 #include "coilwright/archive/recorded_study.hpp"
 #include "coilwright/archive/writer.hpp"
 #include "coilwright/text/json/json.hpp"
+#include "coilwright/text/output/folder_lock.hpp"
 #include "opened_archive.hpp"
 
 namespace coilwright::cli {
@@ -31,7 +31,7 @@ struct ArchiveCheckOptions {
 };
 
 archive::Repair repaired(const std::string& folder, const Interruption& interruption) {
-  const FolderLock lock(folder);
+  const text::FolderLock lock(folder);
   std::optional<sizing::DesignProblem> problem;
   std::atomic<std::size_t> looked_at = 0, damaged = 0;
   const ProgressLine::Place place = progress_place(false);

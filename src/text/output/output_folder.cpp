@@ -88,7 +88,12 @@ std::optional<fs::path> OutputFolder::first_change() {
   return std::nullopt;
 }
 
+void OutputFolder::lock() {
+  if (!lock_) lock_.emplace(path_);
+}
+
 void OutputFolder::commit(std::string_view key) {
+  lock();
   std::vector<OutputFile*> files;
   for (OutputFile& file : files_) {
     file.close();

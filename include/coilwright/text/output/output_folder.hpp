@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "coilwright/text/output/folder_lock.hpp"
 #include "coilwright/text/output/output_file.hpp"
 
 namespace coilwright::text {
@@ -33,9 +34,12 @@ class OutputFolder {
   /// The first of the files opened so far whose name another content has in the folder, which commit() would lose;
   /// nothing where none has. Nothing may be written to them any more. Throws OutputError (writing).
   [[nodiscard]] std::optional<std::filesystem::path> first_change();
-  /// Gives all files their names. The one called `key`, by which a reader knows the folder, goes first where it is
-  /// replaced, and comes last: where it is there, all are. Throws OutputError (writing); if a file is incomplete, none
-  /// of them changes.
+  /// Keeps other processes from writing to the folder as long as this object lives. Throws OutputError (preparing)
+  /// where one does; says in a line on standard error where the file system has no locks.
+  void lock();
+  /// Locks the folder and gives all files their names. The one called `key`, by which a reader knows the folder, goes
+  /// first where it is replaced, and comes last: where it is there, all are. Throws OutputError (writing); if a file is
+  /// incomplete, none of them changes.
   void commit(std::string_view key = {});
 
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
@@ -46,6 +50,7 @@ class OutputFolder {
   std::filesystem::path path_;
   std::vector<std::filesystem::path> made_;  // outermost first
   std::vector<std::filesystem::path> outdated_;
+  std::optional<FolderLock> lock_;
   std::deque<OutputFile> files_;  // a deque: a stream's address must not change
 };
 

@@ -2,13 +2,13 @@
 
 #include <filesystem>
 
-namespace coilwright::cli {
+namespace coilwright::text {
 
 /// While it lives, no other process has this lock on the folder. It ends with the process, however that ends, and
 /// leaves no file.
 class FolderLock {
  public:
-  /// Throws text::OutputError (preparing) where another process has it. Where the file system has no such locks, that
+  /// Throws OutputError (preparing) where another process has it. Where the file system has no such locks, that
   /// is said in a line on standard error.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
@@ -19,4 +19,4 @@ class FolderLock {
   int descriptor_;
 };
 
-}  // namespace coilwright::cli
+}  // namespace coilwright::text

@@ -1,4 +1,4 @@
-#include "folder_lock.hpp"
+#include "coilwright/text/output/folder_lock.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/text/output/output_file.hpp"
 
-namespace coilwright::cli {
+namespace coilwright::text {
 
 FolderLock::FolderLock(const std::filesystem::path& folder)
     : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
@@ -21,16 +21,16 @@ FolderLock::FolderLock(const std::filesystem::path& folder)
   if (errno != EWOULDBLOCK) {
     std::cerr << fmt::format(
         "coilwright: {}: cannot be locked ({}): start no other run there until this one has ended\n",
-        text::one_line(folder.string(), 600), std::generic_category().message(errno));
+        one_line(folder.string(), 600), std::generic_category().message(errno));
     return;
   }
   close(descriptor_);
-  throw text::OutputError(folder, "another run of coilwright is writing to it; wait for its end, or give another --out",
-                          text::OutputError::Stage::preparing);
+  throw OutputError(folder, "another run of coilwright is writing to it; wait for its end, or give another --out",
+                    OutputError::Stage::preparing);
 }
 
 FolderLock::~FolderLock() {
   if (descriptor_ >= 0) close(descriptor_);  // and with it the lock
 }
 
-}  // namespace coilwright::cli
+}  // namespace coilwright::text

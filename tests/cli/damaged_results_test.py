@@ -1,16 +1,26 @@
-"""`coilwright report` on folders of results whose files were changed at random: a page, or one line that names a file."""
+"""Every reader on files that were changed at random, `report` on folders of results: an answer, or one line that names a
+file; no crash, not 20 s of work, not a gigabyte.
 
+With a program that has the sanitizers (preset asan-ubsan) what they find is a failure, too.
+"""
+
+import collections
 import json
 import os
 import random
+import resource
 import shutil
+import signal
+import subprocess
+import tempfile
 import unittest
 
 from diagnose_test import PLAN, ROD
-from program import ProgramTest, run
+from program import DATA, PROGRAM, ProgramTest, run
 from study import FRONT, GRID, write_study
+from writing_commands import QUICK_PLAN
 
-# Of each kind of folder; COILWRIGHT_MUTATIONS=500 looks longer.
+# Of each kind of folder and of input; COILWRIGHT_MUTATIONS=770 makes ten thousand.
 MUTATIONS = int(os.environ.get("COILWRIGHT_MUTATIONS", "30"))
 VALUES = [None, True, "", "x", "1", -1, 0, 1e300, 2**60, [], {}, [None], {"a": 1}, ["x"]]
 FIELDS = ["", "x", "nan", "-1", "1e999", "0", "1e300", "ok", "failed", "\"a\"\"b\""]
@@ -77,6 +87,94 @@ def change(folder, draw):
         return f"{file.name} cut at {end}"
     file.write_text((changed_json if file.suffix == ".json" else changed_table)(text, draw))
     return f"{file.name} changed"
+
+
+def changed_bytes(content, draw):
+    """A bit flipped, a piece cut out, doubled or put elsewhere."""
+    begin = draw.randrange(len(content))
+    end = min(len(content), begin + draw.choice((1, 4, 40, 400)))
+    piece = content[begin:end]
+    how = draw.randrange(4)
+    if how == 0:
+        return content[:begin] + bytes([content[begin] ^ 1 << draw.randrange(8)]) + content[begin + 1:]
+    if how == 1:
+        return content[:begin] + content[end:]
+    place = draw.randrange(len(content)) if how == 2 else end
+    return content[:place] + piece + content[place:]
+
+
+# The file that is changed, and a command that reads it.
+READERS = {
+    "actuator.json": ["evaluate", "actuator.json", "--current-A", "1"],
+    "lumped_model.json": ["linearise", "lumped_model.json", "--current-A", "1"],
+    "pair.json": ["force", "pair.json"],
+    "bodies.json": ["force", "bodies.json"],
+    "plan.json": ["twin", "rod.json", "--experiment", "plan.json", "--out", "new"],
+    "input.csv": ["simulate", "actuator.json", "--input", "input.csv", "--out", "new.csv"],
+    "study.json": ["size", "study.json", "--out", "new", "--max-evaluations", "1", "--answer-only", "--quiet"],
+    "set/dataset.json": ["diagnose", "set", "--out", "new"],
+    "set/slow.csv": ["diagnose", "set", "--out", "new"],
+    "done/archive.sqlite": ["archive", "csv", "done"],
+}
+
+
+class DamagedInputs(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.place = self.folder / "place"
+        self.place.mkdir()
+        for path in (DATA / "formats").iterdir():
+            if path.is_file():
+                shutil.copy(path, self.place)
+        for name, content in (("rod.json", ROD), ("plan.json", QUICK_PLAN)):
+            (self.place / name).write_text(json.dumps(content))
+        folder, self.folder = self.folder, self.place
+        write_study(self, search={"max_evaluations": 5})
+        self.folder = folder
+        for arguments in (["size", "study.json", "--out", "done", "--answer-only"],
+                          ["twin", "rod.json", "--experiment", "plan.json", "--out", "set"]):
+            self.assertEqual(run(*arguments, cwd=self.place).returncode, 0)
+
+    def bounded(self, arguments):
+        """Its exit code, what it says, and the largest memory it had."""
+        seconds = 2 if arguments[0] == "diagnose" else 20  # of work, however busy the machine is
+
+        def bound():
+            resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+
+        with tempfile.TemporaryFile() as errors:
+            process = subprocess.Popen([PROGRAM, *arguments], cwd=self.place, stdout=subprocess.DEVNULL, stderr=errors,
+                                       preexec_fn=bound)
+            _, status, used = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+            errors.seek(0)
+            return process.returncode, errors.read().decode(), used.ru_maxrss * 1024
+
+    def test_every_reader_answers_or_says_why_not(self):
+        codes = collections.Counter()
+        for name, arguments in READERS.items():
+            file = self.place / name
+            whole = file.read_bytes()
+            for seed in range(MUTATIONS // 3 if arguments[0] == "diagnose" else MUTATIONS):  # of which each takes seconds
+                draw = random.Random(f"{name} {seed}")
+                if file.suffix == ".sqlite" or draw.randrange(3) == 0:
+                    content = changed_bytes(whole, draw)
+                else:
+                    content = (changed_json if file.suffix == ".json" else changed_table)(whole.decode(), draw).encode()
+                file.write_bytes(content)
+                with self.subTest(f"{name}, seed {seed}"):
+                    code, errors, memory = self.bounded(arguments)
+                    codes[code] += 1
+                    if code == -signal.SIGKILL and "recalibrated" in errors:
+                        continue  # it was read long ago
+                    self.assertIn(code, (0, 2, 3), errors)
+                    self.assertLess(memory, 1e9)
+                    if code == 2:
+                        self.assertRegex(errors.splitlines()[-1], r"^coilwright: [^\n]+$")
+                for new in self.place.glob("new*"):
+                    shutil.rmtree(new) if new.is_dir() else new.unlink()
+            file.write_bytes(whole)
+        print(f"{sum(codes.values())} changed inputs of {len(READERS)} readers: {codes[0] + codes[3]} answered, {codes[2]} refused")
 
 
 class DamagedResults(ProgramTest):

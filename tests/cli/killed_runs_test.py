@@ -1,19 +1,21 @@
-"""kill -9 at random moments, every other one while designs are recorded, and --resume till the end: nothing recorded is
-lost, and no byte of any result differs.
+"""kill -9 at random moments, of runs of studies every other one while designs are recorded, and --resume till the end:
+nothing recorded is lost, and no byte of any result differs. The same of every other command that writes, said again.
 
-COILWRIGHT_KILLS is the number of kills (default 12).
+COILWRIGHT_KILLS is the number of kills (default 24), half of them of studies.
 """
 
 import os
 import random
+import subprocess
 import time
 import unittest
 
 from archived_runs import designs_of, results_of, start, stop_with_designs
-from program import HANGS, ProgramTest, run
+from program import HANGS, PROGRAM, ProgramTest, run
 from study import FRONT, GRID, write_study
+from writing_commands import COMMANDS, SLOW, STUDIES as SMALL, WritingCommands
 
-KILLS = int(os.environ.get("COILWRIGHT_KILLS", "12"))
+KILLS = int(os.environ.get("COILWRIGHT_KILLS", "24")) // 2
 KILLS_OF_A_RUN = 4  # one run may be killed several times before it ends
 
 # Most of the kills go to pareto.
@@ -106,6 +108,33 @@ class KilledRuns(ProgramTest):
                         self.empty(self.folder / "killed")
         print(f"{self.kills} kills, {self.kills_with_designs} of them with designs recorded")
         self.assertGreater(self.kills_with_designs, KILLS // 3)
+
+
+class KilledCommands(WritingCommands):
+    def kill(self, name, draw):
+        """Kills it at a random moment before it ends; whether it was not faster."""
+        self.undisturbed(name)
+        self.lay_out()
+        with subprocess.Popen([PROGRAM, *COMMANDS[name]], cwd=self.place, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL) as process:
+            time.sleep(draw.uniform(0, self.durations[name]))
+            process.kill()
+        return process.returncode == -9
+
+    def test_nothing_is_half_written_and_the_command_said_again_ends_well(self):
+        draw = random.Random(13)
+        names = [name for name in COMMANDS if name not in SMALL]
+        kills = dict.fromkeys(names, 0)
+        for turn in range(3 * KILLS):
+            name = names[turn % len(names)]
+            if sum(kills.values()) == KILLS or (name in SLOW and turn // len(names) % 10 > 0):
+                continue
+            with self.subTest(f"{name}, turn {turn}"):
+                kills[name] += self.kill(name, draw)
+                self.assert_nothing_is_wrong(name, turn)
+                self.assert_ends_well(name, turn)
+        print(f"{sum(kills.values())} kills of {len(names)} commands:", ", ".join(f"{name} {kills[name]}" for name in names))
+        self.assertGreater(sum(kills.values()), KILLS // 3)
 
 
 if __name__ == "__main__":

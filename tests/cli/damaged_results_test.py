@@ -165,16 +165,17 @@ class DamagedInputs(ProgramTest):
                 with self.subTest(f"{name}, seed {seed}"):
                     code, errors, memory = self.bounded(arguments)
                     codes[code] += 1
-                    if code == -signal.SIGKILL and "recalibrated" in errors:
-                        continue  # it was read long ago
-                    self.assertIn(code, (0, 2, 3), errors)
+                    if code == -signal.SIGKILL and arguments[0] == "diagnose" and errors:
+                        continue  # what it says of its work it says when all is read
+                    self.assertIn(code, (0, 1, 2, 3), errors)  # 1: numbers that are read, and no motion follows from
                     self.assertLess(memory, 1e9)
-                    if code == 2:
+                    if code in (1, 2):
                         self.assertRegex(errors.splitlines()[-1], r"^coilwright: [^\n]+$")
                 for new in self.place.glob("new*"):
                     shutil.rmtree(new) if new.is_dir() else new.unlink()
             file.write_bytes(whole)
-        print(f"{sum(codes.values())} changed inputs of {len(READERS)} readers: {codes[0] + codes[3]} answered, {codes[2]} refused")
+        print(f"{sum(codes.values())} changed inputs of {len(READERS)} readers: {codes[0] + codes[3]} "
+              f"answered, {codes[1] + codes[2]} refused")
 
 
 class DamagedResults(ProgramTest):

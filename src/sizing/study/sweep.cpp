@@ -64,20 +64,21 @@ std::vector<std::vector<double>> sampled_points(const DesignProblem& problem, co
 
 std::size_t sweep(const DesignProblem& problem, const SweepOptions& options,
                   const std::function<void(const SweptDesign&)>& take) {
-  const std::size_t count = options.points.empty() ? problem.point_count() : options.points.size();
+  const IndexRange range =
+      options.only.value_or(IndexRange{.end = options.points.empty() ? problem.point_count() : options.points.size()});
   Workers workers{options.threads};
   std::vector<std::optional<SweptDesign>> designs;
-  for (std::size_t first = 0; first < count; first += chunk) {
-    designs.assign(std::min(chunk, count - first), std::nullopt);
+  for (std::size_t first = range.first; first < range.end; first += chunk) {
+    designs.assign(std::min(chunk, range.end - first), std::nullopt);
     workers.run(designs.size(), [&](std::size_t i) {
       if (!options.stop.stop_requested()) designs[i] = evaluate(problem, options, first + i);
     });
     for (std::size_t i = 0; i < designs.size(); ++i) {
-      if (!designs[i]) return first + i;
+      if (!designs[i]) return first + i - range.first;
       take(*designs[i]);
     }
   }
-  return count;
+  return range.end - range.first;
 }
 
 }  // namespace coilwright::sizing

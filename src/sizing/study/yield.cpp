@@ -7,6 +7,8 @@
 #include <boost/random/uniform_int_distribution.hpp>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <memory>
 #include <regex>
 #include <stdexcept>
 #include <utility>
@@ -49,20 +51,13 @@ std::vector<Asked> asked_of(const Study& study) {
 // Values of the builds, by quantity.
 using Values = std::vector<std::vector<std::optional<double>>>;
 
-// One build.
-struct Build {
-  std::vector<std::optional<double>> values{};  // by quantity
-  bool has_performance = true;
-  std::string failure{};  // where it lacks a value
-};
-
 // Without what it got and with .. for numbers, in which builds that fail alike differ.
 std::string cause_in(const std::string& reason) {
   static const std::regex number("(^| )-?[0-9][^ ,:]*");
   return std::regex_replace(reason.substr(0, reason.find(';')), number, "$1..");
 }
 
-std::vector<FailureCause> causes_of(const std::vector<Build>& builds) {
+std::vector<FailureCause> causes_of(std::span<const Build> builds) {
   constexpr std::size_t told = 4;
   std::vector<FailureCause> out;
   for (const Build& build : builds) {
@@ -123,7 +118,7 @@ class Builder {
   [[nodiscard]] const std::vector<Asked>& asked() const noexcept { return asked_; }
 
   // Those that were begun before a stop.
-  [[nodiscard]] std::vector<Build> builds(const Spread& spread, const Shares& shares) {
+  [[nodiscard]] std::vector<Build> builds(const Spread& spread, std::span<const std::vector<double>> shares) {
     std::vector<Build> out(shares.size());
     workers_.run(shares.size(), [&](std::size_t build) {
       if (options_.stop.stop_requested()) return;
@@ -132,19 +127,6 @@ class Builder {
     });
     std::erase_if(out, [](const Build& build) { return build.values.empty(); });
     return out;
-  }
-
-  [[nodiscard]] Values values_of(const std::vector<Build>& builds) const {
-    Values out(asked_.size());
-    for (std::size_t i = 0; i < asked_.size(); ++i)
-      for (const Build& build : builds) out[i].push_back(build.values[i]);
-    return out;
-  }
-
-  // Nothing after a stop.
-  [[nodiscard]] std::optional<Values> values(const Spread& spread, const Shares& shares) {
-    const std::vector<Build> all = builds(spread, shares);
-    return options_.stop.stop_requested() ? std::nullopt : std::optional(values_of(all));
   }
 
  private:
@@ -174,6 +156,13 @@ class Builder {
   Workers workers_;
   std::atomic<std::size_t> done_ = 0;
 };
+
+Values values_of(std::span<const Build> builds) {
+  Values out(builds.empty() ? 0 : builds.front().values.size());
+  for (std::size_t i = 0; i < out.size(); ++i)
+    for (const Build& build : builds) out[i].push_back(build.values[i]);
+  return out;
+}
 
 BuiltQuantity built_quantity(const Asked& asked, const std::vector<std::optional<double>>& values,
                              const EvaluatedDesign& design) {
@@ -320,27 +309,45 @@ Spread with_half(Spread spread, const Input& input) {
   return spread;
 }
 
-// Of the inputs whose builds were made before a stop, one after the other.
-std::vector<ScatterWorth> worths_of(const Spread& spread, const std::vector<Input>& inputs, Builder& builder,
-                                    const YieldOptions& options) {
+// Builds that are made of one spread.
+struct Block {
+  Spread spread;
+  std::shared_ptr<const Shares> shares;  // one by one
+};
+
+// The yield's own; then, with worths, Saltelli's first two designs, and of each input the builds with it halved and the
+// design that mixes it in: what was made before a stop tells of whole inputs.
+std::vector<Block> blocks_of(const Spread& spread, const std::vector<Input>& inputs, const YieldOptions& options) {
   const std::size_t dimension = spread.scatters.size();
-  const std::vector<Shares> shares = saltelli_designs(inputs, dimension, options.worth_builds, options.seed);
-  std::vector<Values> designs;
-  const auto build = [&](std::size_t index) {
-    std::optional<Values> values = builder.values(spread, shares[index]);
-    if (values) designs.push_back(*std::move(values));
-    return values.has_value();
+  const auto shared = [](Shares shares) { return std::make_shared<const Shares>(std::move(shares)); };
+  std::vector<Block> out{{.spread = spread, .shares = shared(random_shares(dimension, options.builds, options.seed))}};
+  if (options.worth_builds == 0) return out;
+  std::vector<Shares> designs = saltelli_designs(inputs, dimension, options.worth_builds, options.seed);
+  const auto add = [&](Spread of, std::shared_ptr<const Shares> each) {
+    out.push_back({.spread = std::move(of), .shares = std::move(each)});
   };
-  if (!build(0) || !build(1)) return {};
-  std::vector<ScatterWorth> out;
-  const Shares dice = random_shares(dimension, options.worth_builds, options.seed + 1);
-  for (const Input& input : inputs) {
-    const std::optional<Values> halved = builder.values(with_half(spread, input), dice);
-    if (!halved || !build(2 + out.size())) break;
-    out.push_back(
-        {.scatter = input.name, .keeps_all = share_of(count_keeping_all(builder.asked(), *halved), dice.size())});
+  add(spread, shared(std::move(designs[0])));
+  add(spread, shared(std::move(designs[1])));
+  const auto dice = shared(random_shares(dimension, options.worth_builds, options.seed + 1));
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    add(with_half(spread, inputs[i]), dice);
+    add(spread, shared(std::move(designs[2 + i])));
   }
-  for (std::size_t quantity = 0; quantity < builder.asked().size(); ++quantity) {
+  return out;
+}
+
+// From the values of all blocks but the first, or of the first of those, of the inputs whose builds are all there.
+std::vector<ScatterWorth> worths_from(std::vector<Values> blocks, const std::vector<Asked>& asked,
+                                      const std::vector<Input>& inputs, const YieldOptions& options) {
+  if (blocks.size() < 2) return {};
+  std::vector<ScatterWorth> out;
+  std::vector<Values> designs{std::move(blocks[0]), std::move(blocks[1])};
+  for (std::size_t halved = 2; halved + 1 < blocks.size(); halved += 2) {
+    out.push_back({.scatter = inputs[out.size()].name,
+                   .keeps_all = share_of(count_keeping_all(asked, blocks[halved]), options.worth_builds)});
+    designs.push_back(std::move(blocks[halved + 1]));
+  }
+  for (std::size_t quantity = 0; quantity < asked.size(); ++quantity) {
     const std::optional<SaltelliValues> values = complete(designs, quantity);
     const std::optional<SobolIndices> indices =
         values ? sobol_indices(*values, options.seed) : std::optional<SobolIndices>();
@@ -350,6 +357,23 @@ std::vector<ScatterWorth> worths_of(const Spread& spread, const std::vector<Inpu
     }
   }
   return out;
+}
+
+// From the first block.
+Yield yield_without_worths(const std::vector<Asked>& asked, const EvaluatedDesign& design,
+                           std::span<const Build> builds) {
+  const Values values = values_of(builds);
+  Yield out{.builds = builds.size(),
+            .not_built = static_cast<std::size_t>(std::ranges::count(builds, false, &Build::has_performance)),
+            .failures = causes_of(builds),
+            .keeps_all = share_of(count_keeping_all(asked, values), builds.size())};
+  for (std::size_t i = 0; i < asked.size(); ++i) out.quantities.push_back(built_quantity(asked[i], values[i], design));
+  return out;
+}
+
+const Spread& spread_of(const Study& study) {
+  if (!study.spread) throw std::invalid_argument("a yield needs a study with a spread");
+  return *study.spread;
 }
 
 }  // namespace
@@ -387,24 +411,56 @@ std::optional<SobolIndices> sobol_indices(const SaltelliValues& values, std::uin
 }
 
 std::optional<Yield> yield_of(const Study& study, const EvaluatedDesign& design, const YieldOptions& options) {
-  if (!study.spread) throw std::invalid_argument("a yield needs a study with a spread");
-  const Spread& spread = *study.spread;
-  const std::size_t dimension = spread.scatters.size();
-  const std::vector<Input> inputs = inputs_of(spread);
-  const std::size_t of = options.builds + options.worth_builds * (2 + 2 * inputs.size());
-  Builder builder(study, design, options, of);
-  const std::vector<Build> builds = builder.builds(spread, random_shares(dimension, options.builds, options.seed));
+  const std::vector<Input> inputs = inputs_of(spread_of(study));
+  Builder builder(study, design, options, builds_of(study, options));
+  std::vector<Build> builds;
+  std::vector<Values> others;
+  for (const Block& block : blocks_of(*study.spread, inputs, options)) {
+    std::vector<Build> made = builder.builds(block.spread, *block.shares);
+    if (options.stop.stop_requested() && !builds.empty()) break;
+    if (builds.empty())
+      builds = std::move(made);
+    else
+      others.push_back(values_of(made));
+    if (options.stop.stop_requested()) break;
+  }
   if (builds.empty()) return std::nullopt;
-  const Values values = builder.values_of(builds);
-  Yield out{.builds = builds.size(),
-            .not_built = static_cast<std::size_t>(std::ranges::count(builds, false, &Build::has_performance)),
-            .failures = causes_of(builds),
-            .keeps_all = share_of(count_keeping_all(builder.asked(), values), builds.size())};
-  for (std::size_t i = 0; i < builder.asked().size(); ++i)
-    out.quantities.push_back(built_quantity(builder.asked()[i], values[i], design));
+  Yield out = yield_without_worths(builder.asked(), design, builds);
   if (options.worth_builds == 0) return out;
-  out.worths = worths_of(spread, inputs, builder, options);
+  out.worths = worths_from(std::move(others), builder.asked(), inputs, options);
   out.worths_left = inputs.size() - out.worths.size();
+  return out;
+}
+
+std::size_t builds_of(const Study& study, const YieldOptions& options) {
+  return options.builds + options.worth_builds * (2 + 2 * inputs_of(spread_of(study)).size());
+}
+
+std::optional<std::vector<Build>> builds_in(const Study& study, const EvaluatedDesign& design,
+                                            const YieldOptions& options, const IndexRange& range) {
+  Builder builder(study, design, options, range.end - range.first);
+  std::vector<Build> out;
+  std::size_t begin = 0;
+  for (const Block& block : blocks_of(spread_of(study), inputs_of(*study.spread), options)) {
+    const std::span<const std::vector<double>> shares = *block.shares;
+    const std::size_t first = std::clamp(range.first, begin, begin + shares.size()) - begin;
+    const std::size_t end = std::clamp(range.end, begin, begin + shares.size()) - begin;
+    std::ranges::move(builder.builds(block.spread, shares.subspan(first, end - first)), std::back_inserter(out));
+    begin += shares.size();
+  }
+  return options.stop.stop_requested() ? std::nullopt : std::optional(std::move(out));
+}
+
+Yield yield_from(const Study& study, const EvaluatedDesign& design, const YieldOptions& options,
+                 std::span<const Build> builds) {
+  if (builds.size() != builds_of(study, options)) throw std::invalid_argument("builds: must be all of the yield");
+  const std::vector<Asked> asked = asked_of(study);
+  Yield out = yield_without_worths(asked, design, builds.first(options.builds));
+  if (options.worth_builds == 0) return out;
+  std::vector<Values> others;
+  for (std::size_t begin = options.builds; begin < builds.size(); begin += options.worth_builds)
+    others.push_back(values_of(builds.subspan(begin, options.worth_builds)));
+  out.worths = worths_from(std::move(others), asked, inputs_of(*study.spread), options);
   return out;
 }
 

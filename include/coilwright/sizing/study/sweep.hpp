@@ -4,12 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "coilwright/sizing/study/design_problem.hpp"
+#include "coilwright/sizing/study/part.hpp"
 
 namespace coilwright::sizing {
 
@@ -48,6 +50,7 @@ struct DesignSample {
 struct SweepOptions {
   unsigned threads = 0;                       ///< designs evaluated at the same time; 0: one per core
   std::vector<std::vector<double>> points{};  ///< evaluated in place of the grid; empty: the grid
+  std::optional<IndexRange> only{};           ///< the designs with these indices; nothing: all
   std::stop_token stop{};                     ///< ends the sweep early
   /// Evaluates the point of that index, with the bits of the problem's own evaluation, say from what is recorded;
   /// called from several threads at once. Empty: the problem's own.

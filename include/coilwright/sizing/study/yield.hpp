@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "coilwright/sizing/study/part.hpp"
 #include "coilwright/sizing/study/spread.hpp"
 #include "coilwright/sizing/study/study.hpp"
 
@@ -83,6 +85,26 @@ struct YieldOptions {
 /// whose builds were all made; nothing where none was made. Throws std::invalid_argument for a study without a spread.
 [[nodiscard]] std::optional<Yield> yield_of(const Study& study, const EvaluatedDesign& design,
                                             const YieldOptions& options);
+
+/// One build of a yield.
+struct Build {
+  std::vector<std::optional<double>> values{};  ///< of what is asked for, in the unit of each
+  bool has_performance = true;                  ///< else it has no values
+  std::string failure{};                        ///< the first words of why it lacks one; empty where it has all
+};
+
+/// A yield in parts: all builds of builds_in() over ranges that cover builds_of() give yield_from() the bits of
+/// yield_of(). Each throws as yield_of(), yield_from() also for another number of builds.
+///@{
+/// How many builds a yield makes, those of its worths included.
+[[nodiscard]] std::size_t builds_of(const Study& study, const YieldOptions& options);
+/// Some of them; nothing after a stop.
+[[nodiscard]] std::optional<std::vector<Build>> builds_in(const Study& study, const EvaluatedDesign& design,
+                                                          const YieldOptions& options, const IndexRange& range);
+/// The yield from all of them.
+[[nodiscard]] Yield yield_from(const Study& study, const EvaluatedDesign& design, const YieldOptions& options,
+                               std::span<const Build> builds);
+///@}
 
 /// Values of one output at Saltelli's designs: at A, at B, and for each input at A with that input from B.
 struct SaltelliValues {

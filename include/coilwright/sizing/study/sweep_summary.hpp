@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "coilwright/sizing/study/exact_sum.hpp"
+#include "coilwright/sizing/study/leaders.hpp"
+#include "coilwright/sizing/study/sweep.hpp"
+
+namespace coilwright::sizing {
+
+/// Which designs of a sweep are kept as rows. Of the others there are counts, the best of each configuration and what
+/// each quantity is over all of them.
+enum class Keep {
+  all,
+  feasible,  ///< those that keep every limit
+  front,     ///< of these, the ones that no other beats in every objective
+  best       ///< none but the best of each configuration
+};
+
+/// Each by its word in options and results.
+inline constexpr std::array<std::pair<std::string_view, Keep>, 4> keep_words = {
+    {{"all", Keep::all}, {"feasible", Keep::feasible}, {"front", Keep::front}, {"best", Keep::best}}};
+/// "all", "feasible", "front", "best".
+[[nodiscard]] std::string_view name_of(Keep keep);
+
+/// What a quantity is over the designs of a sweep that have a value of it, in its unit.
+struct QuantityTotal {
+  std::size_t designs{};  ///< how many have one
+  ExactSum sum{};         ///< of their values
+  double least{};         ///< 0 without a design, as is the next
+  double greatest{};
+
+  void add(double value);                ///< of one more design
+  void add(const QuantityTotal& other);  ///< of other designs
+};
+
+/// Counts of a sweep, or of a part of one.
+struct SweepTotals {
+  std::size_t designs{};                    ///< evaluated
+  std::size_t ok{};                         ///< of those: keep every limit
+  std::vector<QuantityTotal> quantities{};  ///< in the order of the study's table; empty where all rows are kept
+};
+
+/// What is left of the designs of a sweep, taken in one by one in their order; its memory is that of the best of each
+/// configuration and, with Keep::front, of the front. What parts of a sweep left, taken in in the order of the parts,
+/// gives the bits of the whole.
+class SweepSummary {
+ public:
+  /// Of no design yet. Keeps a copy of the problem.
+  SweepSummary(const DesignProblem& problem, Keep keep);
+
+  /// Takes in the next design.
+  void consider(const SweptDesign& design);
+  /// Takes in a part of the sweep: its totals and what kept() has of it.
+  void consider(const SweepTotals& totals, std::span<const SweptDesign> kept);
+
+  /// Whether a design is one of the rows as it comes; of Keep::front that is known at the end.
+  [[nodiscard]] bool is_row(const SweptDesign& design) const;
+
+  [[nodiscard]] const SweepTotals& totals() const noexcept { return totals_; }
+  [[nodiscard]] const Leaders& leaders() const noexcept { return leaders_; }
+  /// The front so far, by index; of equal designs the first one. Empty unless Keep::front.
+  [[nodiscard]] const std::vector<SweptDesign>& front() const noexcept { return front_; }
+  /// Leaders and front, each design once, by index: all that consider() needs of a part.
+  [[nodiscard]] std::vector<SweptDesign> kept() const;
+
+ private:
+  void keep(const SweptDesign& design);
+
+  DesignProblem problem_;
+  Problem searched_;
+  Keep keep_;
+  SweepTotals totals_;
+  Leaders leaders_;
+  std::vector<SweptDesign> front_;
+};
+
+}  // namespace coilwright::sizing

@@ -36,6 +36,7 @@ void add_init_command(CLI::App& app, Outcome& outcome);
 void add_linearise_command(CLI::App& app, Outcome& outcome);
 void add_list_command(CLI::App& app, Outcome& outcome);
 void add_man_command(CLI::App& app, Outcome& outcome);
+void add_merge_command(CLI::App& app, Outcome& outcome);
 void add_pareto_command(CLI::App& app, Outcome& outcome);
 void add_plan_command(CLI::App& app, Outcome& outcome);
 void add_reach_command(CLI::App& app, Outcome& outcome);

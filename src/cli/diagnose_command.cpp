@@ -32,6 +32,7 @@
 #include "diagnosis_files.hpp"
 #include "options.hpp"
 #include "outputs.hpp"
+#include "part_run.hpp"
 #include "provenance.hpp"
 #include "report_option.hpp"
 #include "signals.hpp"
@@ -60,6 +61,7 @@ struct DiagnoseOptions {
   bool quiet{false};
   bool json{false};
   bool report{false};
+  PartOptions part{};
 };
 
 std::filesystem::path declared_path(const DiagnoseOptions& options, const formats::DatasetFile& set) {
@@ -158,7 +160,7 @@ AskedDiagnosis read_asked(const DiagnoseOptions& options) {
 
 void write(const DiagnoseOptions& options, const AskedDiagnosis& asked, const Diagnosis& diagnosis) {
   const auto print = [&](const DiagnosisTexts& texts) {
-    std::cout << (options.json ? texts.json : texts.summary) << std::flush;
+    if (!options.part.part) std::cout << (options.json ? texts.json : texts.summary) << std::flush;
   };
   try {
     write_diagnosis(diagnosis, asked.set, asked.declared, asked.provenance, options.out, print);
@@ -184,9 +186,24 @@ void write(const DiagnoseOptions& options, const AskedDiagnosis& asked, const Di
   std::_Exit(static_cast<int>(code));
 }
 
+// One of many sets, which have nothing in common but the program and how it is asked.
+formats::PartFile part_of(const DiagnoseOptions& options) {
+  const Provenance question{.command = "diagnose", .seed = options.seed};
+  return {.part = options.part.part.value(),
+          .whole = whole_of(question, "data sets", options.as_written ? "--as-written" : "guarded against slips"),
+          .machine = this_machine(),
+          .results = options.dataset};
+}
+
 void run_diagnose(const DiagnoseOptions& options) {
   const StopSignal stop;
   const AskedDiagnosis asked = read_asked(options);
+  std::optional<formats::PartFile> part;
+  if (options.part.part) {
+    part = part_of(options);
+    require_figures_of_head(options.part, part->machine);
+    std::filesystem::remove(std::filesystem::path(options.out) / part_name);
+  }
   KnownSoFar known;
   std::future<Diagnosis> work = std::async(
       std::launch::async, [&] { return diagnose(options, asked.set, asked.declared, asked.declared_file, known); });
@@ -201,6 +218,7 @@ void run_diagnose(const DiagnoseOptions& options) {
   const Diagnosis diagnosis = work.get();
   if (!options.quiet) std::cerr << report::to_text(diagnosis.phases);
   write(options, asked, diagnosis);
+  if (part) write_part(options.out, *part);
 }
 
 }  // namespace
@@ -241,6 +259,7 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
       "Example:\n"
       "  coilwright diagnose studies/undeclared_effect/data --out results/undeclared_effect");
   add_report_option(*command, options->report);
+  add_part_options(*command, options->part, "The data set is the K-th of N");
   command->callback([options] {
     run_diagnose(*options);
     if (options->report)

@@ -14,6 +14,7 @@
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
 #include "found_designs.hpp"
+#include "part_run.hpp"
 #include "progress_line.hpp"
 #include "report_option.hpp"
 #include "run_archive.hpp"
@@ -22,11 +23,28 @@
 namespace coilwright::cli {
 namespace {
 
-ExitCode run_pareto(const StudyOptions& options) {
+ExitCode end_pareto_part(const StudyOptions& options, formats::PartFile part, const sizing::ParetoResult& result,
+                         std::uint64_t seed) {
+  formats::SearchPart found{.seed = seed,
+                            .stop_reason = std::string(sizing::name_of(result.stop_reason)),
+                            .evaluations = result.evaluations,
+                            .feasible = !result.front.empty()};
+  const auto add = [&](const sizing::Record& record) {
+    found.found.push_back({.index = record.number, .point = record.point, .evaluation = record.evaluation});
+  };
+  for (const sizing::Record& record : result.front) add(record);
+  if (result.least_infeasible) add(*result.least_infeasible);
+  part.results = formats::to_json(found);
+  write_part(options.out, part);
+  return ExitCode::done;
+}
+
+ExitCode run_pareto(const StudyOptions& options, const PartOptions& part_options) {
   StudyInput input =
       read_study(options, {.least = 2, .most = 3, .rule = "must be two or three for pareto (size takes one)"});
-  const sizing::DesignProblem problem(std::move(input.study));
   input.provenance.command = "pareto";
+  std::optional<formats::PartFile> part = begin_search_part(part_options, input.provenance, input.study);
+  const sizing::DesignProblem problem(std::move(input.study));
   input.provenance.seed = problem.study().search.seed;
   const sizing::Study& study = problem.study();
   const Interruption interruption;
@@ -47,12 +65,16 @@ ExitCode run_pareto(const StudyOptions& options) {
     formats::write_convergence(folder.open("convergence.csv"), result.archive);
     folder.write("result.json", formats::to_json(study, result, broken).text());
     folder.write(provenance_name, to_json(input.provenance).text());
+    folder.remove(part_name);
     folder.commit("result.json");
   });
   archive.end(sizing::name_of(result.stop_reason), interruption, records);
-  std::cout << (options.json ? formats::to_json(study, result, broken).text() : report::to_text(study, result, broken));
+  if (!part)
+    std::cout << (options.json ? formats::to_json(study, result, broken).text()
+                               : report::to_text(study, result, broken));
   archive.require_written();
   if (interruption.requested()) return ExitCode::interrupted;
+  if (part) return end_pareto_part(options, *std::move(part), result, study.search.seed);
   return result.front.empty() ? ExitCode::infeasible : ExitCode::done;
 }
 
@@ -60,6 +82,7 @@ ExitCode run_pareto(const StudyOptions& options) {
 
 void add_pareto_command(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<StudyOptions>();
+  auto part = std::make_shared<PartOptions>();
   CLI::App* command = app.add_subcommand("pareto", "Find the best trade-offs of a study with two or three objectives");
   add_study_options(*command, *options);
   add_search_options(*command, *options);
@@ -77,8 +100,9 @@ void add_pareto_command(CLI::App& app, Outcome& outcome) {
       "  coilwright pareto configs/studies/speed_against_grip.json --out results/speed_against_grip");
   auto report = std::make_shared<bool>(false);
   add_report_option(*command, *report);
-  command->callback([options, report, &outcome] {
-    outcome.code = run_pareto(*options);
+  add_part_options(*command, *part, "Search by the K-th of N seeds, the first of which is --seed");
+  command->callback([options, part, report, &outcome] {
+    outcome.code = run_pareto(*options, *part);
     if (*report)
       write_report(options->out, std::filesystem::path(options->out) / report_name, {.force = options->force});
   });

@@ -20,6 +20,7 @@
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "outputs.hpp"
+#include "part_run.hpp"
 #include "report_option.hpp"
 
 namespace coilwright::cli {
@@ -28,9 +29,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // What a run of a study leaves, beside its archive.
-constexpr std::array<std::string_view, 9> results{"result.json",     "actuator.json",   "evaluations.csv",
-                                                  "convergence.csv", "front.csv",       "designs.csv",
-                                                  "best.csv",        "provenance.json", report_name};
+constexpr std::array<std::string_view, 10> results{"result.json", "actuator.json", "evaluations.csv", "convergence.csv",
+                                                   "front.csv",   "designs.csv",   "best.csv",        "provenance.json",
+                                                   part_name,     report_name};
 
 // Designs of an archive that are evaluated again before it is trusted.
 constexpr std::size_t samples = 3;

@@ -25,6 +25,7 @@
 #include "commands.hpp"
 #include "found_designs.hpp"
 #include "options.hpp"
+#include "part_run.hpp"
 #include "progress_line.hpp"
 #include "report_option.hpp"
 #include "run_archive.hpp"
@@ -122,11 +123,26 @@ std::vector<simulation::CorrectionReach> reach_of(const std::optional<DesignResu
   return simulation::correction_reach(view.assembly.model, view.performance.cold, view.point.current);
 }
 
-ExitCode run_size(const StudyOptions& options) {
+ExitCode end_size_part(const StudyOptions& options, formats::PartFile part, const sizing::SearchResult& result,
+                       std::uint64_t seed) {
+  formats::SearchPart found{.seed = seed,
+                            .stop_reason = std::string(sizing::name_of(result.stop_reason)),
+                            .evaluations = result.search_evaluations,
+                            .feasible = result.feasible};
+  if (result.best)
+    found.found.push_back(
+        {.index = result.best->number, .point = result.best->point, .evaluation = result.best->evaluation});
+  part.results = formats::to_json(found);
+  write_part(options.out, part);
+  return ExitCode::done;
+}
+
+ExitCode run_size(const StudyOptions& options, const PartOptions& part_options) {
   StudyInput input =
       read_study(options, {.least = 1, .most = 1, .rule = "must be one for size (pareto takes two or three)"});
-  const DesignProblem problem(std::move(input.study));
   input.provenance.command = "size";
+  std::optional<formats::PartFile> part = begin_search_part(part_options, input.provenance, input.study);
+  const DesignProblem problem(std::move(input.study));
   input.provenance.seed = problem.study().search.seed;
   const Interruption interruption;
   text::OutputFolder folder(options.out);
@@ -155,11 +171,14 @@ ExitCode run_size(const StudyOptions& options) {
                                    .built = std::move(built)};
   archive.write_results([&] {
     folder.write(provenance_name, to_json(input.provenance).text());
+    folder.remove(part_name);
     write_results(folder, problem, answer);
   });
   archive.end(sizing::name_of(result.stop_reason), interruption, result.archive.records());
   const std::vector<simulation::CorrectionReach> reach = reach_of(best);
-  if (options.json) {
+  if (part) {
+    // merge says what came out.
+  } else if (options.json) {
     text::Json out = formats::to_json(answer);
     if (!reach.empty()) out.set("torque_correction", formats::to_json(reach));
     std::cout << out.text();
@@ -168,6 +187,7 @@ ExitCode run_size(const StudyOptions& options) {
   }
   archive.require_written();
   if (interruption.requested()) return ExitCode::interrupted;
+  if (part) return end_size_part(options, *std::move(part), result, problem.study().search.seed);
   return result.feasible ? ExitCode::done : ExitCode::infeasible;
 }
 
@@ -175,6 +195,7 @@ ExitCode run_size(const StudyOptions& options) {
 
 void add_size_command(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<StudyOptions>();
+  auto part = std::make_shared<PartOptions>();
   CLI::App* command =
       app.add_subcommand("size", "Find the best design of a study with one objective, and what limits it");
   add_study_options(*command, *options);
@@ -198,8 +219,9 @@ void add_size_command(CLI::App& app, Outcome& outcome) {
       "  coilwright size configs/studies/fastest_finger.json --out results/fastest_finger");
   auto report = std::make_shared<bool>(false);
   add_report_option(*command, *report);
-  command->callback([options, report, &outcome] {
-    outcome.code = run_size(*options);
+  add_part_options(*command, *part, "Search by the K-th of N seeds, the first of which is --seed");
+  command->callback([options, part, report, &outcome] {
+    outcome.code = run_size(*options, *part);
     if (*report)
       write_report(options->out, std::filesystem::path(options->out) / report_name, {.force = options->force});
   });

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,108 +13,131 @@
 #include <utility>
 #include <vector>
 
-#include "coilwright/formats/study/design_tables.hpp"
-#include "coilwright/report/sweep_text.hpp"
-#include "coilwright/sizing/study/leaders.hpp"
-#include "coilwright/sizing/study/sweep.hpp"
+#include "coilwright/formats/study/part_file.hpp"
+#include "coilwright/sizing/study/sweep_summary.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
-#include "found_designs.hpp"
 #include "options.hpp"
+#include "part_run.hpp"
 #include "progress_line.hpp"
 #include "report_option.hpp"
 #include "run_archive.hpp"
+#include "sha256.hpp"
 #include "study_run.hpp"
+#include "sweep_answer.hpp"
 
 namespace coilwright::cli {
 namespace {
 
-// What point_count() throws, in terms of the file.
-void require_grid(const sizing::DesignProblem& problem, const StudyOptions& options) {
-  for (const sizing::StudyVariable& variable : problem.study().variables)
-    if (!value_count(variable))
-      throw text::InputError({.file = options.study,
-                              .place = "/variables/" + name_of(variable),
-                              .rule = R"(needs "step" or "values" in a sweep, or --sample N)"});
-  try {
-    (void)problem.point_count();
-  } catch (const std::invalid_argument& too_many) {
-    throw text::InputError({.file = options.study, .place = "/variables", .rule = too_many.what()});
-  }
-}
-
 struct SweepCommandOptions {
   StudyOptions study;
+  PartOptions part;
   std::size_t sample = 0;
   std::string sampling{sizing::name_of(sizing::DesignSample{}.sampling)};
+  std::string keep{sizing::name_of(sizing::Keep::all)};
 };
+
+template <class Value>
+Value value_of(const auto& words, std::string_view word) {
+  return std::ranges::find(words, word, &std::pair<std::string_view, Value>::first)->second;
+}
+
+// The designs, and of a sample their points.
+struct SweptDesigns {
+  SweepRequest request;
+  std::vector<std::vector<double>> points{};  // empty: the grid
+};
+
+SweptDesigns designs_of(const SweepCommandOptions& options, const sizing::DesignProblem& problem) {
+  SweptDesigns out{.request = {.keep = value_of<sizing::Keep>(sizing::keep_words, options.keep)}};
+  if (options.sample == 0) {
+    require_grid(problem, options.study.study);
+    out.request.count = problem.point_count();
+    return out;
+  }
+  out.request.sample = {.sampling = value_of<sizing::Sampling>(sizing::sampling_words, options.sampling),
+                        .drawn = options.sample,
+                        .seed = problem.study().search.seed};
+  out.points = sizing::sampled_points(problem, *out.request.sample);
+  out.request.count = out.points.size();
+  return out;
+}
+
+void end_sweep_part(const SweepCommandOptions& options, const SweepRequest& request, formats::PartFile part,
+                    const sizing::SweepSummary& summary) {
+  const std::filesystem::path rows = std::filesystem::path(options.study.out) / rows_name;
+  part.results = formats::to_json(formats::SweepPart{.count = request.count,
+                                                     .keep = request.keep,
+                                                     .sample = request.sample,
+                                                     .rows_sha256 = exists(rows) ? sha256_of_file(rows) : "",
+                                                     .totals = summary.totals(),
+                                                     .kept = summary.kept()});
+  write_part(options.study.out, part);
+}
 
 ExitCode run_sweep(const SweepCommandOptions& sweep_options) {
   const StudyOptions& options = sweep_options.study;
   StudyInput input = read_study(options, {.least = 1, .most = 3, .rule = "must be one to three for sweep"});
   const sizing::DesignProblem problem(std::move(input.study));
   input.provenance.command = "sweep";
-  std::vector<std::vector<double>> points;
-  std::optional<sizing::DesignSample> sample;
-  if (sweep_options.sample > 0) {
-    using Word = std::pair<std::string_view, sizing::Sampling>;
-    sample = {
-        .sampling =
-            std::ranges::find(sizing::sampling_words, std::string_view(sweep_options.sampling), &Word::first)->second,
-        .drawn = sweep_options.sample,
-        .seed = problem.study().search.seed};
-    points = sizing::sampled_points(problem, *sample);
-    input.provenance.seed = sample->seed;
-    input.provenance.sample = fmt::format("{} of {} designs", sweep_options.sampling, sample->drawn);
-  } else {
-    require_grid(problem, options);
+  SweptDesigns designs = designs_of(sweep_options, problem);
+  const SweepRequest& request = designs.request;
+  if (request.sample) {
+    input.provenance.seed = request.sample->seed;
+    input.provenance.sample = fmt::format("{} of {} designs", sweep_options.sampling, request.sample->drawn);
+  }
+  const sizing::Part part = sweep_options.part.part.value_or(sizing::Part{});
+  const bool is_part = sweep_options.part.part.has_value();
+  formats::PartFile part_file{.part = part};
+  if (is_part) {
+    part_file.whole = whole_of(
+        input.provenance, problem.study().name,
+        fmt::format("{}, --keep {}", request.sample ? input.provenance.sample : "the grid", sweep_options.keep));
+    part_file.machine = this_machine(problem);
+    require_figures_of_head(sweep_options.part, part_file.machine);
+    input.provenance.command += part_text(sweep_options.part);
   }
   const sizing::Study& study = problem.study();
+  const sizing::IndexRange range = sizing::range_of(part, request.count);
+  const std::size_t count = range.end - range.first;
   const Interruption interruption;
   text::OutputFolder folder(options.out);
-  const std::size_t count = points.empty() ? problem.point_count() : points.size();
   RunArchive archive(options, input, problem, std::nullopt, folder);
-  formats::SweepRow write_row;
-  archive.write_results([&] { write_row = formats::write_sweep(folder.open("designs.csv"), study); });
-  sizing::Leaders leaders(problem);
-  std::size_t ok = 0;
+  sizing::SweepSummary summary(problem, request.keep);
+  std::function<void(const sizing::SweptDesign&)> write_row;
+  archive.write_results([&] { write_row = write_rows(folder, problem, request, summary); });
   const std::size_t made = [&] {
     const ProgressLine line = progress_line(options, archive.study(), study, count);
     const auto recorded = [&](std::size_t index, std::span<const double> point) {
       return archive.study().evaluate(point, index + 1);
     };
-    return sizing::sweep(
-        problem,
-        {.threads = study.search.threads, .points = points, .stop = interruption.token(), .evaluate = recorded},
-        [&](const sizing::SweptDesign& design) {
-          if (archive.is_writing()) archive.write_results([&] { write_row(design); });
-          leaders.consider(design);
-          ok += sizing::is_feasible(design.evaluation) ? 1 : 0;
-        });
+    return sizing::sweep(problem,
+                         {.threads = study.search.threads,
+                          .points = std::move(designs.points),
+                          .only = range,
+                          .stop = interruption.token(),
+                          .evaluate = recorded},
+                         [&](const sizing::SweptDesign& design) {
+                           if (archive.is_writing()) archive.write_results([&] { write_row(design); });
+                           summary.consider(design);
+                         });
   }();
-  const std::vector<sizing::Leader> best = leaders.all();
-  const std::vector<sizing::BrokenPartLimit> broken =
-      sizing::broken_part_limits(problem.study(), evaluated_again(problem, sizing::feasible_designs(best)));
-  const formats::SweepReport answer{.study = study,
-                                    .designs = count,
-                                    .evaluated = made,
-                                    .ok = ok,
-                                    .leaders = best,
-                                    .broken = broken,
-                                    .sample = sample};
+  std::optional<SweepAnswer> answer;
+  if (!is_part) answer.emplace(problem, request, summary);
   if (archive.is_writing())
     archive.write_results([&] {
-      formats::write_leaders(folder.open("best.csv"), study, best);
-      folder.write("result.json", formats::to_json(answer).text());
-      folder.write(provenance_name, to_json(input.provenance).text());
+      if (answer) answer->write(folder, input.provenance);
+      folder.remove(part_name);
       folder.commit("result.json");
     });
   archive.end(made < count ? sizing::name_of(sizing::StopReason::interrupted) : "complete", interruption, {});
-  std::cout << (options.json ? formats::to_json(answer).text() : report::to_text(answer));
+  if (answer) answer->print(options.json);
   archive.require_written();
   if (made < count) return ExitCode::interrupted;
-  return leaders.any_feasible() ? ExitCode::done : ExitCode::infeasible;
+  if (answer) return answer->code();
+  end_sweep_part(sweep_options, request, std::move(part_file), summary);
+  return ExitCode::done;
 }
 
 }  // namespace
@@ -133,6 +156,11 @@ void add_sweep_command(CLI::App& app, Outcome& outcome) {
   add_word(*command, "--sampling", options->sampling, std::move(words),
            "How they are drawn (default latin_hypercube); another /search/seed draws others")
       ->needs(sample);
+  words.clear();
+  for (const auto& [word, keep] : sizing::keep_words) words.emplace_back(word);
+  add_word(*command, "--keep", options->keep, std::move(words),
+           "Which designs are rows of designs.csv (default all); of the others result.json has counts, and mean, least "
+           "and greatest of each quantity");
   command->footer(
       "Writes designs.csv (one row for each design: variables, every quantity, the margin of every limit), best.csv\n"
       "(the best design of each configuration in each objective), result.json (what --json prints) and\n"
@@ -146,6 +174,7 @@ void add_sweep_command(CLI::App& app, Outcome& outcome) {
       "  coilwright sweep configs/studies/fastest_finger.json --out results/sample --sample 1000");
   auto report = std::make_shared<bool>(false);
   add_report_option(*command, *report);
+  add_part_options(*command, options->part, "Evaluate the K-th of N equal shares of the designs");
   command->callback([options, report, &outcome] {
     outcome.code = run_sweep(*options);
     if (*report)

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdint>
 #include <iostream>
 #include <memory>
@@ -10,18 +9,21 @@
 #include <utility>
 #include <vector>
 
-#include "coilwright/formats/actuator/actuator_argument.hpp"
-#include "coilwright/formats/actuator/actuator_file.hpp"
+#include "coilwright/formats/study/part_file.hpp"
 #include "coilwright/formats/study/size_json.hpp"
 #include "coilwright/formats/study/study_file.hpp"
 #include "coilwright/report/yield_text.hpp"
 #include "coilwright/sizing/study/yield.hpp"
-#include "coilwright/text/argument.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/document.hpp"
+#include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
+#include "folder_lock.hpp"
 #include "options.hpp"
+#include "part_run.hpp"
+#include "sha256.hpp"
 #include "study_run.hpp"
+#include "yield_study.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -35,89 +37,70 @@ struct YieldCommandOptions {
   std::size_t worth_builds = 0;
   std::uint64_t seed = 1;
   int threads = 0;
+  PartOptions part;
+  std::string out;
   bool quiet = false;
   bool json = false;
 };
 
-// The numbers of blocks that the study varies, of which nothing else says what the design has.
-void require_settings(const sizing::Study& study, const YieldCommandOptions& options) {
-  for (const sizing::StudyVariable& variable : study.variables) {
-    if (!std::holds_alternative<sizing::SettingVariable>(variable)) continue;
-    const std::string name = name_of(variable);
-    const std::string pointer = formats::block_pointer(name).value();
-    const bool is_given = std::ranges::any_of(options.changes, [&](const std::string& change) {
-      return change.starts_with(name + "=") || change.starts_with(pointer + "=");
-    });
-    if (!is_given)
-      throw text::InputError(
-          {.file = options.study,
-           .place = "/variables/" + name,
-           .rule = fmt::format("needs --set {}=VALUE: the study varies it, and no actuator's file says "
-                               "what it is",
-                               name)});
-  }
+YieldQuestion question_of(const YieldCommandOptions& options) {
+  return {.study = text::read_text(options.study, text::json_size_limit),
+          .actuator = text::read_text(options.actuator, text::json_size_limit),
+          .changes = options.changes,
+          .current = options.current};
 }
 
-// Of a study that says itself which current flows.
-std::string way_to_another_current(const sizing::Study& study) {
-  if (std::holds_alternative<sizing::DrivenCurrent>(study.current))
-    return "another cell drives another one: --set crawler_cell_voltage_V=VALUE";
-  const bool is_share = std::holds_alternative<sizing::ShareOfLimit>(study.current);
-  return fmt::format("--set /operating_point/{}=VALUE changes it", is_share ? "share_of_current_limit" : "current_A");
+// The study, the actuator and, of a spread that has one, the diagnosis.
+Provenance yield_provenance(const YieldCommandOptions& options, const YieldQuestion& question) {
+  Provenance out{.command = "yield",
+                 .inputs = {record_of(question.study), record_of(question.actuator)},
+                 .changes = options.changes,
+                 .seed = options.seed};
+  const formats::StudyFile file =
+      formats::parse_study_file(question.study.text, question.study.file, {.actuator = &question.actuator});
+  if (file.posterior) out.inputs.push_back(record_of(*file.posterior));
+  return out;
 }
 
-// Whatever the study varies stands still: its actuator is the one given, at the current that its file states.
-sizing::Study study_of_one(const YieldCommandOptions& options) {
-  require_names_once(options.changes);
-  const text::InputText actuator = text::read_text(options.actuator, text::json_size_limit);
-  const text::InputText file = text::read_text(options.study, text::json_size_limit);
-  std::vector<std::string> of_study;
-  std::vector<std::string> of_actuator;
-  // What a block's variable is, no actuator's file says: "driver_voltage_V=8" is /driver/voltage_V=8 of the study.
-  for (const std::string& change : options.changes)
-    if (const std::optional<std::string> of_block = formats::block_pointer(change))
-      of_study.push_back(*of_block);
-    else
-      (change.starts_with('/') ? of_study : of_actuator).push_back(change);
-  sizing::Study study = formats::parse_study(file.text, file.file, {.changes = of_study, .actuator = &actuator});
-  require_settings(study, options);
-  for (const std::string& change : of_actuator) study.base = formats::with_assignment(std::move(study.base), change);
-  if (!study.spread)
-    throw text::InputError({.file = file.file,
-                            .rule = "needs the block \"spread\" ({\"parts\": \"usual\"}): without one every build is "
-                                    "the design"});
-  if (!std::holds_alternative<sizing::VariedCurrent>(study.current)) {
-    if (options.current)
-      throw text::argument_error("--current-A", "must not be given: the study itself says which current flows; " +
-                                                    way_to_another_current(study));
-    return study;
-  }
-  const formats::ActuatorFile given = formats::parse_actuator(actuator.text, actuator.file);
-  if (!options.current && !given.operating_point)
-    throw text::InputError({.file = actuator.file,
-                            .place = "/operating_point",
-                            .rule = "must be there, or --current-A: the study varies the current, and does not say "
-                                    "with which one"});
-  std::erase_if(study.variables, [](const sizing::StudyVariable& variable) {
-    return std::holds_alternative<sizing::CurrentVariable>(variable);
-  });
-  study.current = sizing::FixedCurrent{options.current ? *options.current : given.operating_point->current};
-  return study;
+ExitCode run_yield_part(const YieldCommandOptions& options, const YieldQuestion& question, const sizing::Study& study,
+                        const sizing::EvaluatedDesign& design, const sizing::YieldOptions& how) {
+  const std::string how_text =
+      fmt::format("{} builds, --worth {}{}", options.builds, options.worth_builds,
+                  options.current ? fmt::format(", --current-A {}", *options.current) : std::string());
+  formats::PartFile part{.part = options.part.part.value(),
+                         .whole = whole_of(yield_provenance(options, question), study.name, how_text),
+                         .machine = this_machine(sizing::DesignProblem(study))};
+  require_figures_of_head(options.part, part.machine);
+  text::OutputFolder folder(options.out);
+  const FolderLock lock(options.out);
+  const std::optional<std::vector<sizing::Build>> builds =
+      sizing::builds_in(study, design, how, sizing::range_of(part.part, sizing::builds_of(study, how)));
+  if (!builds) return ExitCode::interrupted;
+  formats::write_builds(folder.open(builds_name), *builds);
+  folder.commit();
+  part.results = formats::to_json(formats::YieldPart{.builds = options.builds,
+                                                     .worth_builds = options.worth_builds,
+                                                     .current = options.current,
+                                                     .rows_sha256 = sha256_of_file(folder.path() / builds_name)});
+  write_part(options.out, part);
+  return ExitCode::done;
 }
 
 ExitCode run_yield(const YieldCommandOptions& options) {
-  const sizing::Study study = study_of_one(options);
+  const YieldQuestion question = question_of(options);
+  const sizing::Study study = study_of_one(question);
   const sizing::DesignResult design = sizing::DesignProblem(study).evaluate_base();
   if (const auto* none = std::get_if<sizing::NotEvaluated>(&design))
     throw text::InputError({.file = options.actuator, .rule = none->reason});
   const Interruption interruption;
-  const std::optional<sizing::Yield> yield = yield_with_progress(study, std::get<sizing::EvaluatedDesign>(design),
-                                                                 {.builds = options.builds,
-                                                                  .worth_builds = options.worth_builds,
-                                                                  .seed = options.seed,
-                                                                  .threads = static_cast<unsigned>(options.threads),
-                                                                  .stop = interruption.token()},
-                                                                 options.quiet);
+  const auto& evaluated = std::get<sizing::EvaluatedDesign>(design);
+  const sizing::YieldOptions how{.builds = options.builds,
+                                 .worth_builds = options.worth_builds,
+                                 .seed = options.seed,
+                                 .threads = static_cast<unsigned>(options.threads),
+                                 .stop = interruption.token()};
+  if (options.part.part) return run_yield_part(options, question, study, evaluated, how);
+  const std::optional<sizing::Yield> yield = yield_with_progress(study, evaluated, how, options.quiet);
   if (yield) std::cout << (options.json ? formats::to_json(*yield).text() : report::to_text(*yield)) << std::flush;
   if (!interruption.requested()) return ExitCode::done;
   std::string worths;
@@ -156,6 +139,11 @@ void add_yield_command(CLI::App& app, Outcome& outcome) {
   add_threads_option(*command, options->threads, "Number of builds evaluated at the same time");
   add_flag(*command, "--quiet", options->quiet, "Show no progress");
   add_json_option(*command, options->json);
+  add_part_options(*command, options->part, "Make the K-th of N equal shares of the builds, those of --worth too");
+  CLI::Option* out =
+      command->add_option("--out", options->out, "Folder of the part; it is created if it does not exist")
+          ->needs(command->get_option("--part"));
+  command->get_option("--part")->needs(out);
   command->footer(
       "Every number of the study's spread is drawn anew for each build, by dice that know nothing of those by which a\n"
       "search has judged; a limit on a statistic (p95_mass_g <= 70) is held against each build's own "

@@ -32,7 +32,7 @@ std::string best_for(const Study& study, std::span<const sizing::Leader> leaders
 }  // namespace
 
 std::string to_text(const formats::SweepReport& report) {
-  const auto& [study, designs, evaluated, ok, leaders, broken, sample] = report;
+  const auto& [study, designs, evaluated, ok, leaders, broken, sample, keep, totals] = report;
   TextTable table;
   std::vector<std::string> header;
   for (const sizing::StudyVariable& variable : study.variables) header.push_back(name_of(variable));

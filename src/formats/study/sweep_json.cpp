@@ -9,6 +9,25 @@ namespace coilwright::formats {
 
 using text::Json;
 
+namespace {
+
+Json total_json(const sizing::QuantityTotal& total) {
+  const auto of_any = [&](double value) { return total.designs == 0 ? Json(nullptr) : text::number_or_null(value); };
+  return Json::object({{"designs", total.designs},
+                       {"mean", of_any(total.sum.value() / static_cast<double>(total.designs))},
+                       {"least", of_any(total.least)},
+                       {"greatest", of_any(total.greatest)}});
+}
+
+Json totals_json(const SweepReport& report) {
+  Json out = Json::object();
+  for (std::size_t i = 0; i < report.totals.size(); ++i)
+    out.set(report.study.quantities[i].name, total_json(report.totals[i]));
+  return out;
+}
+
+}  // namespace
+
 Json to_json(const SweepReport& report) {
   Json best = Json::list(report.leaders, [&](const sizing::Leader& leader) {
     const sizing::Evaluation& evaluation = leader.design.evaluation;
@@ -32,6 +51,10 @@ Json to_json(const SweepReport& report) {
     out.set("sample",
             Json::object(
                 {{"sampling", sizing::name_of(sample->sampling)}, {"drawn", sample->drawn}, {"seed", sample->seed}}));
+  if (report.keep != sizing::Keep::all) {
+    out.set("kept", sizing::name_of(report.keep));
+    out.set("quantities", totals_json(report));
+  }
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include "coilwright/sizing/study/broken_part_limits.hpp"
 #include "coilwright/sizing/study/leaders.hpp"
 #include "coilwright/sizing/study/sweep.hpp"
+#include "coilwright/sizing/study/sweep_summary.hpp"
 #include "coilwright/text/json/json.hpp"
 
 namespace coilwright::formats {
@@ -21,10 +22,12 @@ struct SweepReport {
   std::span<const sizing::Leader> leaders;
   std::span<const sizing::BrokenPartLimit> broken{};  ///< by those leaders that keep every limit of the study
   std::optional<sizing::DesignSample> sample{};       ///< nothing: the grid
+  sizing::Keep keep = sizing::Keep::all;
+  std::span<const sizing::QuantityTotal> totals{};  ///< by quantity of the study; empty where all rows are kept
 };
 
 /// The counts, of each leader its configuration, variables, objectives and constraints, and what they break of their
-/// parts.
+/// parts; where not all rows are kept also which are, and of each quantity what it is over all designs.
 [[nodiscard]] text::Json to_json(const SweepReport& report);
 
 }  // namespace coilwright::formats

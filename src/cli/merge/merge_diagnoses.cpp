@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <iostream>
+#include <optional>
+#include <sstream>
+
+#include "cli/outputs.hpp"
+#include "cli/part_run.hpp"
+#include "coilwright/text/csv/csv_writer.hpp"
+#include "coilwright/text/json/document.hpp"
+#include "coilwright/text/output/output_folder.hpp"
+#include "parts.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+// What a table of many has of each; all else stays where it is.
+struct DiagnosedSet {
+  std::string set;
+  std::string verdict;
+  std::vector<std::string> effects{};
+  std::string folder;
+};
+
+text::Node required(const text::Node& node, std::string_view key) {
+  if (const std::optional<text::Node> found = node.find(key)) return *found;
+  throw node.error_without_value(fmt::format("needs \"{}\"", key));
+}
+
+DiagnosedSet diagnosed_set(const std::filesystem::path& folder, const std::string& set) {
+  const text::Document document = text::read_json(folder / "diagnosis.json");
+  DiagnosedSet out{.set = set, .verdict = required(document.root(), "verdict").text(), .folder = folder.string()};
+  for (const text::Node& effect : required(document.root(), "effects").elements())
+    out.effects.push_back(required(effect, "id").text());
+  return out;
+}
+
+text::Json to_json(const DiagnosedSet& set) {
+  return text::Json::object(
+      {{"set", set.set}, {"verdict", set.verdict}, {"effects", text::Json::list(set.effects)}, {"folder", set.folder}});
+}
+
+}  // namespace
+
+ExitCode merge_diagnoses(const MergeOptions& options, const Parts& parts) {
+  require_figures_of_parts(parts, this_machine());
+  std::vector<DiagnosedSet> sets;
+  for_each_part(parts, [&](std::size_t, const std::filesystem::path& folder, const text::Node& results) {
+    sets.push_back(diagnosed_set(folder, results.text()));
+  });
+  std::ostringstream table;
+  text::CsvWriter csv(table, {"set", "verdict", "effects", "folder"});
+  for (const DiagnosedSet& each : sets) {
+    const std::string effects = fmt::format("{}", fmt::join(each.effects, " "));
+    csv.row({each.set, each.verdict, effects, each.folder});
+  }
+  text::OutputFolder folder(options.out);
+  folder.write("diagnoses.csv", table.str());
+  keep_others(folder, options.force);
+  folder.commit();
+  std::cout << (options.json ? text::Json::list(sets, [](const DiagnosedSet& each) { return to_json(each); }).text()
+                             : table.str());
+  return ExitCode::done;
+}
+
+}  // namespace coilwright::cli

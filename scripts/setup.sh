@@ -10,7 +10,8 @@ packages=(
   libgtest-dev libgmock-dev libbenchmark-dev python3-jsonschema
 )
 if [[ "${1:-}" == ci ]]; then
-  packages+=(clang clang-format clang-tidy doxygen libmujoco-dev liburdfdom-tools lua5.4 openscad gmsh getdp chromium python3-openturns strace)
+  packages+=(clang clang-format clang-tidy doxygen libmujoco-dev liburdfdom-tools lua5.4 openscad gmsh getdp chromium
+             python3-openturns strace coop-computing-tools)
 fi
 
 missing=()

@@ -27,6 +27,7 @@ using AddCommand = void (*)(CLI::App& app, Outcome& outcome);
 void add_completion_command(CLI::App& app, Outcome& outcome);
 void add_crawl_command(CLI::App& app, Outcome& outcome);
 void add_diagnose_command(CLI::App& app, Outcome& outcome);
+void add_distribute_command(CLI::App& app, Outcome& outcome);
 void add_drive_command(CLI::App& app, Outcome& outcome);
 void add_evaluate_command(CLI::App& app, Outcome& outcome);
 void add_export_command(CLI::App& app, Outcome& outcome);

@@ -15,8 +15,8 @@ constexpr std::array commands = {
     &coilwright::cli::add_crawl_command,
     &coilwright::cli::add_size_command,  // the search
     &coilwright::cli::add_sweep_command,    &coilwright::cli::add_pareto_command,
-    &coilwright::cli::add_yield_command,    &coilwright::cli::add_merge_command,
-    &coilwright::cli::add_archive_command,
+    &coilwright::cli::add_yield_command,    &coilwright::cli::add_distribute_command,
+    &coilwright::cli::add_merge_command,    &coilwright::cli::add_archive_command,
     &coilwright::cli::add_diagnose_command,  // the measurement
     &coilwright::cli::add_plan_command,     &coilwright::cli::add_twin_command,
     &coilwright::cli::add_rig_command,

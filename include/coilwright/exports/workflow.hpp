@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace coilwright::exports {
+
+/// Work in parts of which none needs another, in a folder that holds all that it needs.
+struct Workflow {
+  std::string program{};                            ///< a file of the folder: "coilwright"
+  std::vector<std::string> arguments{};             ///< of each part, for that program; no blanks inside one
+  std::vector<std::vector<std::string>> outputs{};  ///< of each part, files from the folder on
+  std::vector<std::string> inputs{};                ///< of every part, beside the program
+  std::string merge{};                              ///< a command of sh that puts the outputs together
+  std::string result{};                             ///< the last file that it writes
+};
+
+/// A file of a folder.
+struct WorkflowFile {
+  std::string name{};
+  std::string text{};
+};
+
+/// The workflow for engines that are installed already: arguments.txt, part.sh and merge.sh, which all of them call;
+/// workflow.makeflow (Makeflow, with Work Queue on machines without a shared disk, or over Slurm, SGE, HTCondor),
+/// slurm.sh (an array) and parallel.sh (GNU parallel on one machine). Each goes on after a crash.
+[[nodiscard]] std::vector<WorkflowFile> workflow_files(const Workflow& workflow);
+
+/// "0003" of 3: what a folder of a part is called, so that a shell lists them in order.
+[[nodiscard]] std::string part_folder(std::size_t number);
+
+}  // namespace coilwright::exports

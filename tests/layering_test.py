@@ -25,9 +25,11 @@ ROOMS = {
     "sizing": "simulation",
     "archive": "text sizing",
     "measurement": "algebra simulation",
+    "video": "text",
+    "video/opencv": "video",
     "formats/actuator": "text actuator",
     "formats/simulation": "text control",
-    "formats/data": "formats/actuator formats/simulation measurement systems",
+    "formats/data": "formats/actuator formats/simulation measurement systems video",
     "formats/study": "formats/actuator formats/simulation archive systems",
     "exports": "formats/actuator control",
     "report/simulation": "control",
@@ -60,6 +62,8 @@ HIDDEN = {
     "glog/": "cli",
     "openssl/": "cli",
     "hwy/": "magnetics",
+    "opencv2/": "video/opencv",
+    "dlfcn.h": "video",
     "boost/": "magnetics winding thermal actuator simulation control sizing archive measurement",
 }
 

@@ -2,6 +2,7 @@
 #include <csignal>
 
 #include "command_line.hpp"
+#include "film/film_commands.hpp"
 
 namespace {
 
@@ -20,6 +21,8 @@ constexpr std::array commands = {
     &coilwright::cli::add_diagnose_command,  // the measurement
     &coilwright::cli::add_plan_command,     &coilwright::cli::add_twin_command,
     &coilwright::cli::add_rig_command,
+    &coilwright::cli::add_tag_command,  // the camera
+    &coilwright::cli::add_lens_command,     &coilwright::cli::add_track_command,
     &coilwright::cli::add_report_command,  // what people take away
     &coilwright::cli::add_export_command,
     &coilwright::cli::add_validate_command,  // the proof

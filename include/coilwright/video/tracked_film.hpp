@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coilwright/video/picture.hpp"
+#include "coilwright/video/vision.hpp"
+
+namespace coilwright::video {
+
+/// A tag in a picture.
+struct Sighting {
+  int id{};
+  Place centre{};
+  Eigen::Matrix2d shape{};  ///< derivative of the place in the picture by that on the tag at its centre, px a module
+  double sigma{};           ///< rad, standard deviation of its angle in the picture
+  Eigen::Matrix2d blur{};   ///< px^2, second moments of the blur
+  TagCorners outline{};
+};
+
+/// A picture in which something was read.
+struct Frame {
+  double time{};                      ///< s, as the container stamps it
+  double led{};                       ///< mean grey where the LED is, 0 to 255; 0 where none was asked for
+  std::vector<Sighting> sightings{};  ///< by id, each once
+};
+
+/// What a film shows.
+struct TrackedFilm {
+  std::string file{};
+  int width{};
+  int height{};
+  std::size_t pictures{};  ///< decoded
+  std::size_t doubled{};   ///< that were the picture before once more, and are left out
+  std::vector<Frame> frames{};
+};
+
+/// What to look for.
+struct TrackRequest {
+  std::optional<Place> led{};
+  std::function<void(const Picture&, const Frame&)> preview{};  ///< is shown every frame, where it is given
+};
+
+/// Follows the tags through a film. Throws text::InputError in one line: no picture, no tag, mirrored, two tags alike,
+/// all pictures one, times that do not increase.
+[[nodiscard]] TrackedFilm track_film(const Vision& vision, const std::filesystem::path& file,
+                                     const TrackRequest& request = {});
+
+}  // namespace coilwright::video

@@ -1,0 +1,158 @@
+#include "coilwright/video/finger_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "coilwright/text/input_error.hpp"
+#include "video/plane_view.hpp"
+#include "video/shutter.hpp"
+
+namespace coilwright::video {
+namespace {
+
+using text::InputError;
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+double median_interval_of(const TrackedFilm& film) {
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < film.frames.size(); ++i)
+    intervals.push_back(film.frames[i].time - film.frames[i - 1].time);
+  return median_of(intervals);
+}
+
+// What a film shows beyond doubt; 0 with the sigma where it does not.
+CameraEstimate significant(double value, double sigma) {
+  constexpr double beyond_doubt = 5.0;
+  return {.value = std::abs(value) > beyond_doubt * sigma ? value : 0.0, .sigma = sigma};
+}
+
+CameraEstimate readout_of(const TrackedFilm& film, const CameraKnowledge& camera,
+                          std::span<const std::vector<SeriesEntry>> series) {
+  if (camera.readout) return {.value = *camera.readout};
+  const LastCoefficient row = row_time_of(series);
+  return significant(row.value * film.height, row.sigma * film.height);
+}
+
+CameraEstimate exposure_of(const CameraKnowledge& camera, std::span<const std::vector<SeriesEntry>> series) {
+  if (camera.exposure) return {.value = *camera.exposure};
+  const LastCoefficient square = squared_exposure_of(series);
+  const CameraEstimate of_square = significant(square.value, square.sigma);
+  if (of_square.value <= 0.0) return {.sigma = std::sqrt(std::max(0.0, square.sigma))};
+  const double exposure = std::sqrt(of_square.value);
+  return {.value = exposure, .sigma = 0.5 * square.sigma / exposure};
+}
+
+std::vector<int> ids_of(const TrackedFilm& film) {
+  std::set<int> ids;
+  for (const Frame& frame : film.frames)
+    for (const Sighting& each : frame.sightings) ids.insert(each.id);
+  return {ids.begin(), ids.end()};
+}
+
+void require_tags(const TrackedFilm& film, const std::vector<int>& ids) {
+  const auto refuse = [&](std::string rule) {
+    return InputError({.file = film.file, .place = "", .rule = std::move(rule), .value = ""});
+  };
+  if (ids.empty() || ids.front() != 0)
+    throw refuse("must show the base's tag, number 0, against which angles are taken; it was never read");
+  if (ids.size() < 2) throw refuse("must show a tag on the finger beside the base's; none was read");
+}
+
+// Angle of each entry on the container's clock, not yet against the base.
+std::vector<AngleSample> angles_of(const std::vector<SeriesEntry>& series, std::span<const TagView> views,
+                                   const PlaneView& plane, double row_time, double middle_row) {
+  std::vector<AngleSample> out;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const double angle = std::arg(ComplexMap(plane.shape(views[i])).alike);
+    out.push_back(
+        {.time = series[i].time + row_time * (series[i].sighting->centre.y() - middle_row),
+         .angle = out.empty() ? angle : out.back().angle + std::remainder(angle - out.back().angle, 2.0 * M_PI),
+         .sigma = series[i].sighting->sigma});
+  }
+  return out;
+}
+
+// The base at a time: its mean where it scatters as its own noise does, otherwise what it was nearest to then.
+class Base {
+ public:
+  explicit Base(std::vector<AngleSample> samples) : samples_(std::move(samples)) {
+    double weights = 0.0;
+    for (const AngleSample& each : samples_) {
+      weights += 1.0 / (each.sigma * each.sigma);
+      mean_.angle += each.angle / (each.sigma * each.sigma);
+    }
+    mean_.angle /= weights;
+    mean_.sigma = 0.0;  // an error of the mean is one of the zero, and the same in all samples
+    double chi_square = 0.0;
+    for (const AngleSample& each : samples_) chi_square += std::pow((each.angle - mean_.angle) / each.sigma, 2);
+    constexpr double noise_alone = 4.0;
+    steady_ = chi_square < noise_alone * static_cast<double>(samples_.size());
+  }
+  [[nodiscard]] AngleSample at(double time) const {
+    if (steady_) return mean_;
+    const auto after = std::ranges::lower_bound(samples_, time, {}, &AngleSample::time);
+    if (after == samples_.end()) return samples_.back();
+    if (after == samples_.begin() || after->time - time < time - std::prev(after)->time) return *after;
+    return *std::prev(after);
+  }
+
+ private:
+  std::vector<AngleSample> samples_;
+  AngleSample mean_{};
+  bool steady_{};
+};
+
+std::vector<AngleSample> against(const Base& base, std::vector<AngleSample> samples) {
+  double turns = 0.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const AngleSample zero = base.at(samples[i].time);
+    double angle = samples[i].angle - zero.angle;
+    if (i == 0) turns = std::remainder(angle, 2.0 * M_PI) - angle;
+    samples[i].angle = angle + turns;
+    samples[i].sigma = std::hypot(samples[i].sigma, zero.sigma);
+  }
+  return samples;
+}
+
+}  // namespace
+
+FingerMotion finger_motion(const TrackedFilm& film, const CameraKnowledge& camera) {
+  const std::vector<int> ids = ids_of(film);
+  require_tags(film, ids);
+  const double container_interval = median_interval_of(film);
+  const double time_scale = camera.frame_rate ? 1.0 / (*camera.frame_rate * container_interval) : 1.0;
+  std::vector<std::vector<SeriesEntry>> series;
+  for (const int id : ids) series.push_back(series_of(film, id, time_scale));
+  FingerMotion out{.interval = container_interval * time_scale, .time_scale = time_scale};
+  out.readout = readout_of(film, camera, series);
+  out.exposure = exposure_of(camera, series);
+  const double row_time = out.readout.value / film.height;
+  const Lens lens = camera.lens ? *camera.lens : usual_lens(film.width, film.height);
+  std::vector<TagView> views;
+  for (const auto& each : series)
+    for (const SeriesEntry& entry : each)
+      views.push_back(view_of(lens, entry.sighting->centre, without_rolling(entry, row_time)));
+  const PlaneView plane = fit_plane(views);
+  out.tilt = plane.tilt();
+  std::vector<std::vector<AngleSample>> angles;
+  std::span<const TagView> rest = views;
+  for (const auto& each : series) {
+    angles.push_back(angles_of(each, rest.first(each.size()), plane, row_time, 0.5 * (film.height - 1)));
+    rest = rest.subspan(each.size());
+  }
+  const Base base(std::move(angles.front()));
+  for (std::size_t k = 1; k < ids.size(); ++k)
+    out.tags.push_back({.id = ids[k], .samples = against(base, std::move(angles[k]))});
+  return out;
+}
+
+}  // namespace coilwright::video

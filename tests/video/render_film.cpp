@@ -1,0 +1,106 @@
+// Renders a film of a finger by a scene (JSON) and a motion (CSV) through FFmpeg's H.264.
+
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "run_program.hpp"
+#include "video/film_renderer.hpp"
+
+namespace {
+
+using nlohmann::json;
+
+// time_s, then bending_angle_deg (half at each joint) or theta1_deg and theta2_deg; other columns are passed over.
+film::Motion read_motion(const std::string& file) {
+  std::ifstream stream(file);
+  if (!stream) throw std::runtime_error(file + " cannot be read");
+  std::string line;
+  std::getline(stream, line);
+  std::vector<std::string> names;
+  std::stringstream header(line);
+  for (std::string name; std::getline(header, name, ',');) names.push_back(name);
+  film::Motion out;
+  while (std::getline(stream, line)) {
+    std::stringstream row(line);
+    std::array<double, 2> angles{};
+    double time = 0.0;
+    std::string field;
+    for (const std::string& name : names) {
+      std::getline(row, field, ',');
+      const double value = field.empty() ? 0.0 : std::stod(field);
+      const double angle = value * M_PI / 180.0;
+      if (name == "time_s") time = value;
+      if (name == "bending_angle_deg") angles = {0.5 * angle, 0.5 * angle};
+      if (name == "theta1_deg") angles[0] = angle;
+      if (name == "theta2_deg") angles[1] = angle;
+    }
+    out.times.push_back(time);
+    out.angles.push_back(angles);
+  }
+  if (out.times.empty()) throw std::runtime_error(file + " has no rows");
+  return out;
+}
+
+template <class Value>
+void take(const json& from, const char* key, Value& value) {
+  if (from.contains(key)) value = from.at(key).get<Value>();
+}
+
+film::Scene scene_of(const json& from) {
+  film::Scene out;
+  take(from, "width", out.width);
+  take(from, "height", out.height);
+  take(from, "focal", out.focal);
+  take(from, "distortion", out.distortion);
+  take(from, "tilt", out.tilt);
+  take(from, "px_per_mm", out.px_per_mm);
+  take(from, "middle", out.middle);
+  take(from, "rate", out.rate);
+  take(from, "duration", out.duration);
+  take(from, "exposure", out.exposure);
+  take(from, "readout", out.readout);
+  take(from, "optics", out.optics);
+  take(from, "white", out.white);
+  take(from, "noise", out.noise);
+  take(from, "led", out.led);
+  take(from, "segment_tag", out.segment_tag);
+  take(from, "board", out.board);
+  take(from, "seed", out.seed);
+  return out;
+}
+
+std::string command_of(const film::Scene& scene, const json& from, const std::string& out) {
+  const std::string filter = from.value("filter", "");  // of FFmpeg, as select='not(eq(n,3))'
+  return "ffmpeg -v error -y -f rawvideo -pix_fmt gray -s " + std::to_string(scene.width) + "x" +
+         std::to_string(scene.height) + " -r " + std::to_string(scene.rate) + " -i - " +
+         (filter.empty() ? "" : "-vf \"" + filter + "\" -fps_mode passthrough ") +
+         "-c:v libx264 -preset veryfast -threads 1 -crf " + std::to_string(from.value("crf", 23)) +
+         " -pix_fmt yuv420p '" + out + "'";
+}
+
+int run(int argc, char** argv) {
+  if (argc != 4) throw std::runtime_error("usage: render_film SCENE.json MOTION.csv OUT.mp4");
+  const json from = json::parse(std::ifstream(argv[1]));
+  const film::Scene scene = scene_of(from);
+  film::Renderer renderer(scene, read_motion(argv[2]));
+  std::FILE* encoder = popen(command_of(scene, from, argv[3]).c_str(), "w");
+  if (encoder == nullptr) throw std::runtime_error("ffmpeg cannot be started");
+  const std::vector<int> doubled = from.value("doubled", std::vector<int>{});
+  std::vector<std::uint8_t> picture;
+  for (int i = 0; i < static_cast<int>(scene.duration * scene.rate + 0.5); ++i) {
+    if (i == 0 || std::ranges::find(doubled, i) == doubled.end()) picture = renderer.render(i / scene.rate, i);
+    std::fwrite(picture.data(), 1, picture.size(), encoder);
+  }
+  return pclose(encoder) == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program("render_film", [&] { return run(argc, argv); });
+}

@@ -1,0 +1,187 @@
+"""`coilwright tag`, `lens` and `track`: the records of rendered films, and what is said of broken ones."""
+
+import json
+import re
+
+import filming
+from filming import FilmTest, damped_step, ffmpeg
+from program import PAPER_FINGER, run
+
+SMALL = {"width": 300, "height": 420, "middle": [8, 18], "rate": 120, "duration": 0.6, "exposure": 1e-3,
+         "segment_tag": False, "crf": 16, "noise": 3}
+STEP = [(t * 1e-3, 5 + damped_step(t * 1e-3, 0.2, 30)) for t in range(0, 1000)]
+LOG = "time_s,current_A\n0,0\n10,0\n10.5,1\n12,1\n"
+
+
+class Track(FilmTest):
+    def test_a_step_becomes_a_data_set_on_the_clock_of_its_log(self):
+        self.render("step.mp4", SMALL, STEP)
+        self.write("step.csv", LOG)
+        answer = self.track("step.mp4", "--current", "step.csv", "--out", "data", "--actuator", PAPER_FINGER,
+                            "--start-deg", "5", "--exposure-ms", "1", "--preview")
+        data = self.result("data/dataset.json")
+        self.assertEqual((data["actuator"], data["ignore"]), ("actuator.json", ["sigma_deg"]))
+        entry = data["runs"][0]
+        self.assertEqual({key: entry[key] for key in ("file", "kind", "drive", "start", "input_file", "exposure_s")},
+                         {"file": "step.csv", "kind": "transient", "drive": "current", "start": "at_rest",
+                          "input_file": "step_input.csv", "exposure_s": 0.001})
+        rows = self.numbers("data/step.csv")
+        self.assertEqual(list(rows[0]), ["time_s", "bending_angle_deg", "sigma_deg"])
+        # The motion begins at 0.2 s of the film and, by the log, at 10.5 s; found to a quarter of a picture's interval.
+        errors = [row["bending_angle_deg"] - 5 - damped_step(row["time_s"], 10.5, 30) for row in rows]
+        self.assertLess(max(map(abs, errors)), 0.003 * 30 * 25)
+        self.assertIn("the log's first step, at 10.5 s, is where the finger begins to move", " ".join(answer["guessed"]))
+        self.assertTrue(any(name.startswith("data/step_") and name.endswith(".png") for name in self.files()))
+        # diagnose takes it as it is.
+        diagnosis = run("diagnose", "data", "--out", "answer", "--quiet", cwd=self.folder)
+        self.assertEqual((diagnosis.returncode, diagnosis.stderr), (0, ""))
+
+    def test_the_same_film_gives_the_same_bytes(self):
+        self.render("step.mp4", {**SMALL, "duration": 0.3}, STEP)
+        self.track("step.mp4", "--out", "one")
+        self.track("step.mp4", "--out", "two")
+        self.assertEqual((self.folder / "one/step.csv").read_bytes(), (self.folder / "two/step.csv").read_bytes())
+
+    def test_dropped_and_doubled_pictures_leave_gaps_and_keep_their_time(self):
+        self.render("step.mp4", {**SMALL, "filter": "select='not(between(n,30,33))'", "doubled": [40]}, STEP)
+        answer = self.track("step.mp4", "--out", "data")
+        self.assertGreaterEqual(answer["films"][0]["doubled"], 1)
+        times = {round(row["time_s"] * 120) for row in self.numbers("data/step.csv")}
+        self.assertTrue(times.isdisjoint({30, 31, 32, 33, 40}), times)
+        self.assertLessEqual({29, 34, 39, 41}, times)
+
+    def test_two_tags_on_the_finger_give_the_joints(self):
+        motion = [(t, 3 + 0.6 * a, 2 + 0.4 * a) for t, a in STEP]
+        self.render("step.mp4", {**SMALL, "segment_tag": True}, motion)
+        self.track("step.mp4", "--out", "data", "--opens", "counterclockwise")
+        truth = dict((round(t, 3), (a, b)) for t, a, b in motion)
+        for row in self.numbers("data/step.csv"):
+            first, second = truth[round(row["time_s"], 3)]  # between milliseconds it moves by 0.5 degrees
+            self.assertAlmostEqual(row["theta1_deg"], first, delta=0.6)
+            self.assertAlmostEqual(row["theta2_deg"], second, delta=0.6)
+
+    def test_an_led_sets_the_clock(self):
+        self.render("step.mp4", {**SMALL, "led": [20, 20, 0.1532]}, STEP)
+        self.write("step.csv", LOG)
+        self.track("step.mp4", "--current", "step.csv", "--out", "data", "--led", "20,20", "--exposure-ms", "1")
+        last = self.numbers("data/step.csv")[-1]["time_s"]
+        # The last picture read is a whole number of intervals after 0; the LED came at 0.1532 s, which is 10.5 s.
+        phase = ((last - 10.5 + 0.1532) * 120 + 0.5) % 1 - 0.5
+        self.assertLess(abs(phase), 0.5)  # between two exposures it is known to half an interval
+        self.assertLess(self.result("data/dataset.json")["runs"][0]["clock_offset_s"], 0.003)
+
+    def test_a_slow_motion_file_has_the_time_that_it_was_filmed_in(self):
+        self.render("step.mp4", {**SMALL, "duration": 0.4}, STEP)
+        ffmpeg("-i", "step.mp4", "-vf", "setpts=4*PTS", "-fps_mode", "passthrough", "-crf", "16", "slow.mp4",
+               cwd=self.folder)
+        self.track("slow.mp4", "--out", "data", "--rate-Hz", "120")
+        rows = self.numbers("data/slow.csv")
+        self.assertLess(abs(rows[-1]["time_s"] * 120 % 1 + 0.5) % 1 - 0.5, 0.02)
+        self.assertLess(rows[-1]["time_s"], 0.4)
+
+    def test_a_lens_is_calibrated_by_its_board(self):
+        scene = {"width": 640, "height": 480, "board": True, "px_per_mm": 1.5, "focal": 700, "distortion": [-0.2, 0.0],
+                 "middle": [0, 0], "rate": 30, "duration": 0.5, "crf": 12, "noise": 1}
+        self.render("board.mp4", scene, [(0.0, 0.0), (1.0, 0.0)])
+        result = run("lens", "board.mp4", "--out", "lens.json", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        lens = self.result("lens.json")
+        self.assertAlmostEqual(lens["focal_px"][0], 700, delta=14)  # 2 %: fifteen views
+        self.assertAlmostEqual(lens["distortion"][0], -0.2, delta=0.04)
+        self.render("step.mp4", {**SMALL, "duration": 0.2}, STEP)
+        self.assert_refused(["track", "step.mp4", "--out", "data", "--lens", "lens.json"],
+                            "lens.json: must be of pictures of 300 by 420 px, as step.mp4 has; got 640 by 480")
+
+
+class Tags(FilmTest):
+    # By the rectangles of the PDF alone, in modules from the first tag's frame; the patterns are the renderer's.
+    PATTERNS = [["######", "# #  #", "## # #", "###  #", "### ##", "######"],
+                ["######", "######", "#    #", "# ## #", "# # ##", "######"]]
+
+    def test_the_sheet_has_the_tags_in_their_size_and_a_ruler_of_100_mm(self):
+        result = run("tag", "--size-mm", "12", "--out", "tags.pdf", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        text = (self.folder / "tags.pdf").read_text(encoding="latin-1").split("endstream")[0]  # the first page
+        mm = 72 / 25.4
+        number = r"(-?[\d.]+)"
+        boxes = [[float(x) / mm for x in each] for each in re.findall(" ".join([number] * 4) + " re f", text)]
+        self.assertEqual(sum(abs(box[2] - 100) < 1e-3 for box in boxes), 1)
+        frames = [[float(x) / mm for x in each] for each in re.findall(" ".join([number] * 4) + " re S", text)]
+        self.assertTrue(all(abs(frame[2] - 16) < 1e-3 for frame in frames))
+        rows = sorted({round(frame[1], 3) for frame in frames}, reverse=True)
+        for pattern, bottom in zip(self.PATTERNS, rows):
+            left = min(frame[0] for frame in frames if abs(frame[1] - bottom) < 1e-2)
+            for i in range(6):
+                for j in range(6):
+                    x, y = left + 2 * (j + 1.5), bottom + 16 - 2 * (i + 1.5)
+                    black = any(b[0] <= x <= b[0] + b[2] and b[1] <= y <= b[1] + b[3] for b in boxes)
+                    self.assertEqual(black, pattern[i][j] == "#", (bottom, i, j))
+
+    def test_a_size_that_is_none_is_refused(self):
+        self.assert_refused(["tag", "--size-mm", "1", "--out", "tags.pdf"],
+                            'tag: --size-mm: must be from 2 to 40; got "1" (see coilwright tag --help)')
+
+
+class Broken(FilmTest):
+    def refused(self, rule, film="film.mp4", *arguments):
+        self.assert_refused(["track", film, "--out", "data", *arguments], f"{film}: {rule}")
+
+    def step(self, **changes):
+        self.render("film.mp4", {**SMALL, "duration": 0.3, **changes}, STEP)
+
+    def test_a_film_without_a_tag(self):
+        ffmpeg("-f", "lavfi", "-i", "testsrc=s=320x240:r=30:d=0.3", "film.mp4", cwd=self.folder)
+        self.refused("must show a tag of `coilwright tag`; none was found: light it, hold it in focus, at least 15 px wide")
+
+    def test_a_mirrored_film(self):
+        self.step()
+        ffmpeg("-i", "film.mp4", "-vf", "hflip", "mirrored.mp4", cwd=self.folder)
+        self.refused("must not be mirrored, as by a phone's front camera; its tags can be read in a mirror only",
+                     "mirrored.mp4")
+
+    def test_two_tags_alike(self):
+        self.step()
+        ffmpeg("-i", "film.mp4", "-vf", "split[a][b];[a][b]hstack", "two.mp4", cwd=self.folder)
+        self.refused("must show each tag once; tag 0 is there twice in one picture", "two.mp4")
+
+    def test_a_file_that_was_cut_a_large_one_of_nothing_and_one_of_sound(self):
+        rule = "must be a film that FFmpeg can read; it has no pictures, or is damaged"
+        self.step()
+        self.write("cut.mp4", (self.folder / "film.mp4").read_bytes()[:9000])
+        self.refused(rule, "cut.mp4")
+        with open(self.folder / "large.mp4", "wb") as file:
+            file.truncate(4 << 30)
+        result = run("track", "large.mp4", "--out", "data", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (2, f"coilwright: large.mp4: {rule}\n"))
+        (self.folder / "large.mp4").unlink()
+        ffmpeg("-f", "lavfi", "-i", "sine=d=0.3", "sound.m4a", cwd=self.folder)
+        self.refused(rule, "sound.m4a")
+
+    def test_a_picture_and_a_film_of_one_picture(self):
+        self.step()
+        ffmpeg("-i", "film.mp4", "-frames:v", "1", "one.png", cwd=self.folder)
+        self.refused("must be a film; it has one picture", "one.png")
+        ffmpeg("-loop", "1", "-i", "one.png", "-t", "0.4", "-r", "30", "-c:v", "ffv1", "still.mkv", cwd=self.folder)
+        self.assertRegex(run("track", "still.mkv", "--out", "data", cwd=self.folder).stderr,
+                         r"^coilwright: still.mkv: must be a film; its \d+ pictures are one and the same\n$")
+
+    def test_a_tip_that_leaves_the_picture_is_a_gap(self):
+        self.step(duration=0.6, middle=[-8, 18])
+        answer = self.track("film.mp4", "--out", "data")
+        self.assertLess(answer["films"][0]["read"], answer["films"][0]["pictures"] - 5)
+        self.assertGreater(answer["films"][0]["read"], 20)
+
+    def test_logs_that_do_not_fit(self):
+        self.step()
+        self.write("flat.csv", "time_s,current_A\n0,1\n5,1\n")
+        self.refused("needs a log whose input changes: by its first step the two clocks are brought together; this one's "
+                     "never changes", "film.mp4", "--current", "flat.csv")
+        self.write("log.csv", LOG)
+        self.assert_refused(["track", "film.mp4", "--out", "data", "--current", "log.csv", "log.csv"],
+                            "track: --current: needs one log for each film, 1; got 2 (see coilwright track --help)")
+        self.refused("must show the LED being lit at the place that --led names; its light does not change", "film.mp4",
+                     "--current", "log.csv", "--led", "20,20")
+
+
+if __name__ == "__main__":
+    filming.main()

@@ -3,6 +3,7 @@
 // may share the work. summary.txt has no times: the same bytes for any number of threads.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -22,6 +23,7 @@
 #include "attribution/laboratory/run_case.hpp"
 #include "attribution/laboratory/summary.hpp"
 #include "attribution/laboratory/visible_strength.hpp"
+#include "coilwright/exports/workflow.hpp"
 #include "run_program.hpp"
 #include "truth/laboratory/laboratory_set.hpp"
 
@@ -41,6 +43,7 @@ struct Settings {
   int count = 1000000;
   int jobs = 2;
   int threads = 1;
+  std::string workflow{};
 };
 
 std::filesystem::path file_of(const Settings& settings, const laboratory::Case& asked) {
@@ -93,6 +96,45 @@ void write_sets(const std::vector<laboratory::Case>& cases, const Settings& sett
   }
 }
 
+// A part a set, as `coilwright distribute` divides a study. Every part and the merging get the arguments of this call
+// but --workflow, so that sets and strengths are the same; an outcome is a file of its own, and the last step finds
+// all.
+void write_workflow(const std::vector<laboratory::Case>& cases, const Settings& settings,
+                    const std::vector<std::string>& shared) {
+  const std::filesystem::path folder = settings.workflow;
+  std::filesystem::create_directories(folder);
+  std::filesystem::copy_file(settings.program, folder / "coilwright", std::filesystem::copy_options::update_existing);
+  std::filesystem::copy_file("/proc/self/exe", folder / "laboratory_benchmark",
+                             std::filesystem::copy_options::update_existing);
+  const std::string common = fmt::format("--program ./coilwright --jobs 1 {}", fmt::join(shared, " "));
+  coilwright::exports::Workflow workflow{
+      .program = "laboratory_benchmark",
+      .inputs = {"coilwright"},
+      .merge = fmt::format("mkdir -p result/outcomes && cp parts/*/outcomes/*.json result/outcomes && "
+                           "./laboratory_benchmark {} --first {} --sets {} --out result",
+                           common, settings.first, settings.count),
+      .result = "result/summary.txt"};
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const std::string out = "parts/" + coilwright::exports::part_folder(i + 1);
+    workflow.arguments.push_back(fmt::format("{} --first {} --sets 1 --out {}", common, cases[i].number, out));
+    workflow.outputs.push_back({fmt::format("{}/outcomes/{:04}.json", out, cases[i].number)});
+  }
+  for (const auto& [name, text] : coilwright::exports::workflow_files(workflow))
+    std::ofstream(folder / name, std::ios::binary) << text;
+}
+
+// Those that decide which sets there are and what they hide, as they were given.
+std::vector<std::string> shared_arguments(int argc, char** argv) {
+  std::vector<std::string> out;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    const bool is_whole = argument.starts_with("--plan=") || argument.starts_with("--seed=");
+    if (argument == "--five-times-visible" || is_whole) out.push_back(argument);
+    if (argument == "--plan" || argument == "--seed") out.insert(out.end(), {argument, argv[++i]});
+  }
+  return out;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Measures whether diagnose stays true on records as laboratories make them", "laboratory_benchmark");
   Settings settings;
@@ -116,6 +158,9 @@ int run(int argc, char** argv) {
   app.add_option("--sets", settings.count, "Number of sets (default all)")->check(CLI::PositiveNumber);
   app.add_option("--jobs", settings.jobs, "Diagnoses at once")->check(CLI::PositiveNumber)->capture_default_str();
   app.add_option("--threads", settings.threads, "Threads of each")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--workflow", settings.workflow,
+                 "Only write a workflow of these diagnoses for other machines into this folder (Makeflow, Slurm, GNU "
+                 "parallel), which have the packages of scripts/setup.sh");
   CLI11_PARSE(app, argc, argv);
 
   laboratory::Values values;
@@ -128,14 +173,22 @@ int run(int argc, char** argv) {
   for (laboratory::Case& each : laboratory::plan(settings.plan, values, settings.seed))
     if (each.number >= settings.first && each.number - settings.first < settings.count)
       cases.push_back(std::move(each));
-  const bool writes_only = !settings.sets.empty();
-  if ((!writes_only && (settings.program.empty() || settings.out.empty())) ||
+  const bool distributes = !settings.workflow.empty(), writes_only = !settings.sets.empty();
+  if ((!writes_only && (settings.program.empty() || (settings.out.empty() && !distributes))) ||
       (settings.plans && settings.program.empty())) {
     fmt::print(stderr, "laboratory_benchmark: --program{} needed\n", writes_only ? " is" : " and --out are");
     return 2;
   }
   if (writes_only) {
     write_sets(cases, settings);
+    return 0;
+  }
+  if (distributes && !settings.values.empty()) {
+    fmt::print(stderr, "laboratory_benchmark: --values is a file of this machine: leave it out with --workflow\n");
+    return 2;
+  }
+  if (distributes) {
+    write_workflow(cases, settings, shared_arguments(argc, argv));
     return 0;
   }
   const std::filesystem::path outcomes = std::filesystem::path(settings.out) / "outcomes";

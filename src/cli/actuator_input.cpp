@@ -4,8 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <new>
 #include <system_error>
 #include <utility>
@@ -13,13 +11,14 @@
 
 #include "coilwright/formats/actuator/actuator_argument.hpp"
 #include "coilwright/text/input_error.hpp"
+#include "coilwright/text/input_text.hpp"
+#include "coilwright/text/json/document.hpp"
 #include "options.hpp"
 
 namespace coilwright::cli {
 
 std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  return text::read_text(path, text::json_size_limit).text;
 }
 
 void add_actuator_options(CLI::App& command, ActuatorOptions& options) {

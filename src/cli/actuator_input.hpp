@@ -19,7 +19,7 @@ struct ActuatorOptions {
 /// What commands that write a data set or a diagnosis call the actuator in their folder.
 inline constexpr const char* actuator_name = "actuator.json";
 
-/// The bytes of the file at `path`, to be written as they are.
+/// The bytes of the file at `path`, to be written as they are. Throws InputError where it cannot be read.
 [[nodiscard]] std::string bytes_of(const std::string& path);
 
 /// What an answer rests on that knows no temperature, as a last line of text.

@@ -42,6 +42,7 @@ text::Json line_or_null(const std::string& part) {
 
 ExitCode fail(ErrorFormat format, ExitCode code, std::string_view message, const text::Fault& fault = {}) {
   const std::string line = text::one_line(message, longest_message);
+  std::cerr.clear();  // progress that could not be written must not keep this back
   if (format == ErrorFormat::line) {
     std::cerr << "coilwright: " << line << '\n';
     return code;

@@ -29,7 +29,7 @@ LastCoefficient row_time_of(std::span<const std::vector<SeriesEntry>> series) {
       const Place place = 1e-3 * entry.sighting->centre;
       const std::complex<double> by_row_time =
           std::complex<double>(0.0, 0.5) * std::complex<double>(entry.velocity.x(), entry.velocity.y());
-      for (int part = 0; part < 2; ++part, ++row) {
+      for (Eigen::Index part = 0; part < 2; ++part, ++row) {
         terms.row(row).segment<3>(3 * part) << 1.0, place.x(), place.y();
         terms(row, columns - 1) = part == 0 ? by_row_time.real() : by_row_time.imag();
         values[row] = part == 0 ? skew.real() : skew.imag();

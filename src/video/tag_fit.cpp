@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <vector>
 
@@ -209,7 +210,7 @@ ToTag to_tag(const TagCorners& outline) {
   for (int k = 0; k < 4; ++k) {
     const double x = outline.corners[k].x();
     const double y = outline.corners[k].y();
-    for (int axis = 0; axis < 2; ++axis) {
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
       const double to = on_tag[k][axis];
       rows.row(2 * k + axis).segment<3>(3 * axis) << x, y, 1.0;
       rows.row(2 * k + axis).tail<2>() << -to * x, -to * y;
@@ -244,7 +245,8 @@ std::optional<TagFit> fit_tag(const Picture& picture, int tag, const ToTag& star
   if (!(scale >= smallest && scale < 1e4)) return std::nullopt;
   const LocalFrame frame{.origin = in_picture(start, 0, 0), .scale = 3.0 * scale};
   std::vector<Pixel> pixels = pixels_of(picture, start, scale);
-  if (pixels.size() < 4 * unknowns) return std::nullopt;
+  constexpr std::size_t fewest = 60;  // four a number of the fit
+  if (pixels.size() < fewest) return std::nullopt;
   Fit fit(std::move(pixels), frame, templates.of(tag, blur), start);
   constexpr int most_steps = 12;
   constexpr double close_enough = 3e-4;  // modules: a thousandth of a degree

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include "coilwright/video/tag_pattern.hpp"
@@ -13,6 +14,7 @@ namespace {
 constexpr int nodes_a_module = 16;
 constexpr double grid_reach = 4.0;
 constexpr int grid_side = static_cast<int>(2 * grid_reach * nodes_a_module) + 1;
+constexpr std::size_t grid_nodes = std::size_t{grid_side} * std::size_t{grid_side};
 
 // The blurred share of each row or column of modules, its first and second derivative.
 struct Shares {
@@ -33,7 +35,7 @@ Shares shares_at(double place, double blur) {
 
 }  // namespace
 
-TagTemplate::TagTemplate(int tag, double blur) : blur_(blur), grid_(grid_side * grid_side) {
+TagTemplate::TagTemplate(int tag, double blur) : blur_(blur), grid_(grid_nodes) {
   Eigen::Matrix<double, tag_modules, tag_modules> black;
   for (int row = 0; row < tag_modules; ++row)
     for (int column = 0; column < tag_modules; ++column) black(row, column) = is_white(tag, row, column) ? 0.0 : 1.0;

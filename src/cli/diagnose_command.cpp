@@ -218,7 +218,9 @@ void run_diagnose(const DiagnoseOptions& options) {
   const Diagnosis diagnosis = work.get();
   if (!options.quiet) std::cerr << report::to_text(diagnosis.phases);
   write(options, asked, diagnosis);
-  if (part) write_part(options.out, *part);
+  if (!part) return;
+  text::OutputFolder folder(options.out);
+  write_part(folder, *part);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include "coilwright/text/input_error.hpp"
 #include "commands.hpp"
-#include "folder_lock.hpp"
 #include "merge/parts.hpp"
 #include "options.hpp"
 #include "outputs.hpp"

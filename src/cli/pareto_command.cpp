@@ -23,7 +23,7 @@
 namespace coilwright::cli {
 namespace {
 
-ExitCode end_pareto_part(const StudyOptions& options, formats::PartFile part, const sizing::ParetoResult& result,
+ExitCode end_pareto_part(text::OutputFolder& folder, formats::PartFile part, const sizing::ParetoResult& result,
                          std::uint64_t seed) {
   formats::SearchPart found{.seed = seed,
                             .stop_reason = std::string(sizing::name_of(result.stop_reason)),
@@ -35,7 +35,7 @@ ExitCode end_pareto_part(const StudyOptions& options, formats::PartFile part, co
   for (const sizing::Record& record : result.front) add(record);
   if (result.least_infeasible) add(*result.least_infeasible);
   part.results = formats::to_json(found);
-  write_part(options.out, part);
+  write_part(folder, part);
   return ExitCode::done;
 }
 
@@ -74,7 +74,7 @@ ExitCode run_pareto(const StudyOptions& options, const PartOptions& part_options
                                : report::to_text(study, result, broken));
   archive.require_written();
   if (interruption.requested()) return ExitCode::interrupted;
-  if (part) return end_pareto_part(options, *std::move(part), result, study.search.seed);
+  if (part) return end_pareto_part(folder, *std::move(part), result, study.search.seed);
   return result.front.empty() ? ExitCode::infeasible : ExitCode::done;
 }
 

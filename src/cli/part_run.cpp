@@ -133,17 +133,16 @@ archive::Contents whole_of(const Provenance& provenance, const std::string& stud
   return whole;
 }
 
-void write_part(const std::filesystem::path& folder, const formats::PartFile& part) {
+void write_part(text::OutputFolder& folder, const formats::PartFile& part) {
   const std::string text = formats::to_json(part).text();
   if (text.size() > text::json_size_limit)
     throw std::runtime_error(
         fmt::format("{}: keeps so many designs that part.json would be longer than {} MB: take more "
                     "parts, or --keep feasible",
-                    printed(folder), text::json_size_limit / 1'000'000));
-  text::OutputFolder out(folder);
-  out.write(part_name, text);
-  out.commit();
-  std::cout << fmt::format("{}: part {} of {} of {} {}\n", printed(folder), part.part.number, part.part.of,
+                    printed(folder.path()), text::json_size_limit / 1'000'000));
+  folder.write(part_name, text);
+  folder.commit();
+  std::cout << fmt::format("{}: part {} of {} of {} {}\n", printed(folder.path()), part.part.number, part.part.of,
                            part.whole.command, part.whole.study);
 }
 

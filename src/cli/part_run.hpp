@@ -8,6 +8,7 @@
 #include "coilwright/formats/study/part_file.hpp"
 #include "coilwright/sizing/study/design_problem.hpp"
 #include "coilwright/sizing/study/part.hpp"
+#include "coilwright/text/output/output_folder.hpp"
 #include "provenance.hpp"
 
 namespace coilwright::cli {
@@ -48,7 +49,7 @@ void require_figures_of_head(const PartOptions& options, const formats::Machine&
 /// What all parts of a run share. `how` are the options that decide what comes out, for the errors of merge.
 [[nodiscard]] archive::Contents whole_of(const Provenance& provenance, const std::string& study, std::string how);
 
-/// Writes part.json into a folder, and says so in a line of standard output.
-void write_part(const std::filesystem::path& folder, const formats::PartFile& part);
+/// Writes part.json into a folder, which may be locked, and says so in a line of standard output.
+void write_part(text::OutputFolder& folder, const formats::PartFile& part);
 
 }  // namespace coilwright::cli

@@ -123,7 +123,7 @@ std::vector<simulation::CorrectionReach> reach_of(const std::optional<DesignResu
   return simulation::correction_reach(view.assembly.model, view.performance.cold, view.point.current);
 }
 
-ExitCode end_size_part(const StudyOptions& options, formats::PartFile part, const sizing::SearchResult& result,
+ExitCode end_size_part(text::OutputFolder& folder, formats::PartFile part, const sizing::SearchResult& result,
                        std::uint64_t seed) {
   formats::SearchPart found{.seed = seed,
                             .stop_reason = std::string(sizing::name_of(result.stop_reason)),
@@ -133,7 +133,7 @@ ExitCode end_size_part(const StudyOptions& options, formats::PartFile part, cons
     found.found.push_back(
         {.index = result.best->number, .point = result.best->point, .evaluation = result.best->evaluation});
   part.results = formats::to_json(found);
-  write_part(options.out, part);
+  write_part(folder, part);
   return ExitCode::done;
 }
 
@@ -187,7 +187,7 @@ ExitCode run_size(const StudyOptions& options, const PartOptions& part_options) 
   }
   archive.require_written();
   if (interruption.requested()) return ExitCode::interrupted;
-  if (part) return end_size_part(options, *std::move(part), result, problem.study().search.seed);
+  if (part) return end_size_part(folder, *std::move(part), result, problem.study().search.seed);
   return result.feasible ? ExitCode::done : ExitCode::infeasible;
 }
 

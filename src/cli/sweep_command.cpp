@@ -64,16 +64,16 @@ SweptDesigns designs_of(const SweepCommandOptions& options, const sizing::Design
   return out;
 }
 
-void end_sweep_part(const SweepCommandOptions& options, const SweepRequest& request, formats::PartFile part,
+void end_sweep_part(text::OutputFolder& folder, const SweepRequest& request, formats::PartFile part,
                     const sizing::SweepSummary& summary) {
-  const std::filesystem::path rows = std::filesystem::path(options.study.out) / rows_name;
+  const std::filesystem::path rows = folder.path() / rows_name;
   part.results = formats::to_json(formats::SweepPart{.count = request.count,
                                                      .keep = request.keep,
                                                      .sample = request.sample,
                                                      .rows_sha256 = exists(rows) ? sha256_of_file(rows) : "",
                                                      .totals = summary.totals(),
                                                      .kept = summary.kept()});
-  write_part(options.study.out, part);
+  write_part(folder, part);
 }
 
 ExitCode run_sweep(const SweepCommandOptions& sweep_options) {
@@ -136,7 +136,7 @@ ExitCode run_sweep(const SweepCommandOptions& sweep_options) {
   archive.require_written();
   if (made < count) return ExitCode::interrupted;
   if (answer) return answer->code();
-  end_sweep_part(sweep_options, request, std::move(part_file), summary);
+  end_sweep_part(folder, request, std::move(part_file), summary);
   return ExitCode::done;
 }
 

@@ -18,7 +18,6 @@
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
-#include "folder_lock.hpp"
 #include "options.hpp"
 #include "part_run.hpp"
 #include "sha256.hpp"
@@ -72,7 +71,7 @@ ExitCode run_yield_part(const YieldCommandOptions& options, const YieldQuestion&
                          .machine = this_machine(sizing::DesignProblem(study))};
   require_figures_of_head(options.part, part.machine);
   text::OutputFolder folder(options.out);
-  const FolderLock lock(options.out);
+  folder.lock();
   const std::optional<std::vector<sizing::Build>> builds =
       sizing::builds_in(study, design, how, sizing::range_of(part.part, sizing::builds_of(study, how)));
   if (!builds) return ExitCode::interrupted;
@@ -82,7 +81,7 @@ ExitCode run_yield_part(const YieldCommandOptions& options, const YieldQuestion&
                                                      .worth_builds = options.worth_builds,
                                                      .current = options.current,
                                                      .rows_sha256 = sha256_of_file(folder.path() / builds_name)});
-  write_part(options.out, part);
+  write_part(folder, part);
   return ExitCode::done;
 }
 

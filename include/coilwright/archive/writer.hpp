@@ -29,6 +29,7 @@ struct Repair {
   std::size_t left{};                   ///< that are damaged still, because it was told to stop
   std::int64_t gone{};                  ///< that were written and are not there
 
+  /// How many were mended or taken out.
   [[nodiscard]] std::size_t looked_at() const { return mended + dropped.size() + dropped_choices; }
 };
 

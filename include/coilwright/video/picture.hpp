@@ -19,6 +19,7 @@ struct Picture {
   int height{};
   std::vector<std::uint8_t> grey{};  ///< row after row
 
+  /// The grey of a pixel, 0 to 255; x from the left and y from the top, inside of the picture.
   [[nodiscard]] double at(int x, int y) const {
     return grey[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
   }

@@ -37,6 +37,7 @@ class Vision {
   [[nodiscard]] virtual std::vector<TagCorners> find_tags(const Picture& picture, const Area& area) const = 0;
   /// Inner corners of the board, row after row; nothing where not all are seen.
   [[nodiscard]] virtual std::optional<std::vector<Place>> find_board(const Picture& picture) const = 0;
+  /// The lens by which the corners of these boards, in pixels, lie where they were seen in pictures of that size.
   [[nodiscard]] virtual CalibratedLens calibrate(std::span<const std::vector<Place>> boards, int width,
                                                  int height) const = 0;
   /// The picture as PNG with the outlines drawn in.

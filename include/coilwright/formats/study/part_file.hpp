@@ -46,6 +46,7 @@ struct PartFile {
 struct ReadPart {
   text::Document document;
   PartFile file;  ///< without its results
+  /// What the part found; a node of `document`.
   [[nodiscard]] text::Node results() const;
 };
 [[nodiscard]] ReadPart read_part(const std::filesystem::path& path);

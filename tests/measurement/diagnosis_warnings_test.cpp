@@ -94,6 +94,7 @@ TEST(DiagnosisWarnings, SayThatALagIsTooShortForThePictures) {
 TEST(DiagnosisWarnings, SayWhenColouredNoiseMayBeTakenForStructure) {
   Found found;
   found.diagnosis.verdict = Verdict::unexplained;
+  found.diagnosis.after = {.level = 1.2, .structure = 3.0};
   EXPECT_THAT(found.texts(slide(true_mass, 0.1)), IsEmpty());  // a still run tells
   found.runs.front().noise.front().colour =
       "taken as white: there is no still run, and the parts at rest are too short to show its colour";

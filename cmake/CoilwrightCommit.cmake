@@ -1,4 +1,4 @@
-# coilwright_commit(<target>): gives <target> a source, made from src/cli/commit.cpp.in, that says from which commit it was
+# coilwright_commit(<target>): gives <target> a source, made from src/results/commit.cpp.in, that says from which commit it was
 # built. The repository is asked at every build, and the file is only touched when the answer changes: then this one
 # source is compiled and the program linked, and nothing else.
 set(COILWRIGHT_COMMIT "" CACHE STRING "Commit of these sources, for builds outside of their git repository")
@@ -9,7 +9,7 @@ function(coilwright_commit target)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/commit.cpp)
   add_custom_target(${target}_commit
     COMMAND ${CMAKE_COMMAND} -Dgit=${GIT_EXECUTABLE} -Dsources=${PROJECT_SOURCE_DIR} -Dstated=${COILWRIGHT_COMMIT}
-      -Dtemplate=${PROJECT_SOURCE_DIR}/src/cli/commit.cpp.in -Doutput=${source}
+      -Dtemplate=${PROJECT_SOURCE_DIR}/src/results/commit.cpp.in -Doutput=${source}
       -P ${PROJECT_SOURCE_DIR}/cmake/WriteCommit.cmake
     BYPRODUCTS ${source}
     COMMENT ""

@@ -7,7 +7,6 @@ endforeach()
 # Of the program and the tests alone.
 find_package(CLI11 2.1 REQUIRED)
 find_package(glog 0.4 REQUIRED)
-find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto)
 if(COILWRIGHT_TESTS)
   find_package(GTest 1.12 REQUIRED)
 endif()

@@ -1,7 +1,7 @@
 # Where the targets of other projects that Coilwright links come from: the arguments of find_package, one row a package.
 # The build finds them by this table, and the installed package finds those of the components that are asked for.
 # scripts/setup.sh installs all of them from the system's packages.
-set(coilwright_packages NLopt Eigen3 Boost nlohmann_json TBB fmt hwy Ceres LibCsv muparser pugixml SQLiteCpp)
+set(coilwright_packages NLopt Eigen3 Boost nlohmann_json TBB fmt hwy Ceres LibCsv muparser pugixml SQLiteCpp OpenSSL)
 set(coilwright_find_NLopt NLopt 2.7 CONFIG)
 set(coilwright_find_Eigen3 Eigen3 3.4 NO_MODULE)
 set(coilwright_find_Boost Boost 1.74 CONFIG)
@@ -14,6 +14,7 @@ set(coilwright_find_LibCsv LibCsv)
 set(coilwright_find_muparser muparser 2.3 CONFIG)
 set(coilwright_find_pugixml pugixml 1.12 CONFIG)
 set(coilwright_find_SQLiteCpp SQLiteCpp 3.2 MODULE)
+set(coilwright_find_OpenSSL OpenSSL 3.0 COMPONENTS Crypto)
 
 # coilwright_package_of(<target> <out>): the package that has a target, which is the part of its name before "::".
 function(coilwright_package_of target out)

@@ -9,7 +9,7 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-SCRIPT, TEMPLATE = ROOT / "cmake/WriteCommit.cmake", ROOT / "src/cli/commit.cpp.in"
+SCRIPT, TEMPLATE = ROOT / "cmake/WriteCommit.cmake", ROOT / "src/results/commit.cpp.in"
 NOBODY = {"GIT_AUTHOR_NAME": "a", "GIT_AUTHOR_EMAIL": "a@example.org", "GIT_COMMITTER_NAME": "a",
           "GIT_COMMITTER_EMAIL": "a@example.org", "GIT_CONFIG_GLOBAL": os.devnull, "GIT_CONFIG_NOSYSTEM": "1"}
 

@@ -35,7 +35,8 @@ ROOMS = {
     "report/simulation": "control",
     "report": "report/simulation formats/data formats/study",
     "page": "exports report",
-    "cli": "page",
+    "results": "page",
+    "cli": "results",
 }
 
 # Folders inside a room, in the order of its method: each includes only those before it, and what lies in the room itself
@@ -60,7 +61,7 @@ HIDDEN = {
     "csv.h": "text",
     "CLI/": "cli",
     "glog/": "cli",
-    "openssl/": "cli",
+    "openssl/": "results",
     "hwy/": "magnetics",
     "opencv2/": "video/opencv",
     "dlfcn.h": "video",

@@ -6,9 +6,9 @@
 #include <string>
 #include <variant>
 
-#include "build_info.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
-#include "sha256.hpp"
+#include "coilwright/results/build_info.hpp"
+#include "coilwright/results/sha256.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -29,22 +29,24 @@ std::string operation_text(const sizing::Study& study) {
 }  // namespace
 
 archive::Program this_program() {
-  const Commit built = commit();
+  const results::Commit built = results::commit();
   const bool told = !built.hash.empty() && !built.changed;
-  return {.version = version(), .commit = built.hash, .build = told ? "" : record_of("/proc/self/exe").sha256};
+  return {.version = results::version(),
+          .commit = built.hash,
+          .build = told ? "" : results::record_of("/proc/self/exe").sha256};
 }
 
-archive::Contents contents_of(const sizing::Study& study, const Provenance& provenance, bool builds_a_system) {
+archive::Contents contents_of(const sizing::Study& study, const results::Provenance& provenance, bool builds_a_system) {
   archive::Contents contents;
   contents.command = provenance.command;
   contents.study = study.name;
   contents.program = this_program();
-  for (const InputRecord& input : provenance.inputs)
+  for (const results::InputRecord& input : provenance.inputs)
     contents.inputs.push_back({.file = input.file, .sha256 = input.sha256, .text = input.text});
   contents.changes = provenance.changes;
   contents.question = hash_of(provenance);
-  contents.physics = {.actuator = sha256(formats::to_json(study.base, "").text()),
-                      .operation = sha256(operation_text(study)),
+  contents.physics = {.actuator = results::sha256(formats::to_json(study.base, "").text()),
+                      .operation = results::sha256(operation_text(study)),
                       .systems = builds_a_system || study.spread ? contents.question : ""};
   if (provenance.seed) {
     contents.algorithm =

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "coilwright/archive/contents.hpp"
+#include "coilwright/results/provenance.hpp"
 #include "coilwright/sizing/study/study.hpp"
-#include "provenance.hpp"
 
 namespace coilwright::cli {
 
@@ -15,7 +15,7 @@ inline constexpr const char* archive_name = "archive.sqlite";
 /// What the archive of a run of `study` is an archive of. A system that is built from the actuator is described by the
 /// study's text alone. Seed and algorithm are the study's where the provenance has a
 /// seed; a sample takes the place of the algorithm.
-[[nodiscard]] archive::Contents contents_of(const sizing::Study& study, const Provenance& provenance,
+[[nodiscard]] archive::Contents contents_of(const sizing::Study& study, const results::Provenance& provenance,
                                             bool builds_a_system);
 
 }  // namespace coilwright::cli

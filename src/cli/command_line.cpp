@@ -15,7 +15,7 @@
 #include <system_error>
 #include <vector>
 
-#include "build_info.hpp"
+#include "coilwright/results/build_info.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/text/one_line.hpp"
@@ -163,7 +163,8 @@ ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, co
 ExitCode run(std::span<const char* const> arguments, std::span<const AddCommand> commands) {
   CLI::App app("Sizes soft electromagnetic bending actuators and identifies which physical effect a model lacks.",
                "coilwright");
-  app.set_version_flag("-V,--version", &version_text, "Print the version, the commit and the libraries, and exit");
+  app.set_version_flag("-V,--version", &results::version_text,
+                       "Print the version, the commit and the libraries, and exit");
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.require_subcommand(1);
   app.footer(

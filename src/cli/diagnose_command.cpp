@@ -22,18 +22,16 @@
 #include <vector>
 
 #include "coilwright/formats/data/dataset_file.hpp"
-#include "coilwright/formats/data/declared_actuator.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
-#include "coilwright/measurement/records/record_slip.hpp"
 #include "coilwright/report/phase_table.hpp"
+#include "coilwright/results/asked_diagnosis.hpp"
+#include "coilwright/results/diagnosis_files.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
-#include "diagnosis_files.hpp"
 #include "options.hpp"
 #include "outputs.hpp"
 #include "part_run.hpp"
-#include "provenance.hpp"
 #include "report_option.hpp"
 #include "signals.hpp"
 
@@ -41,13 +39,6 @@ namespace coilwright::cli {
 namespace {
 
 using measurement::Diagnosis;
-
-// The data set, the declared actuator, and every record.
-Provenance provenance_of(const formats::DatasetFile& set, const std::filesystem::path& declared, std::uint64_t seed) {
-  Provenance provenance{.command = "diagnose", .inputs = {record_of(set.file), record_of(declared)}, .seed = seed};
-  for (const std::filesystem::path& run : set.run_files) provenance.inputs.push_back(record_of(run));
-  return provenance;
-}
 
 struct DiagnoseOptions {
   std::string dataset;
@@ -64,17 +55,6 @@ struct DiagnoseOptions {
   PartOptions part{};
 };
 
-std::filesystem::path declared_path(const DiagnoseOptions& options, const formats::DatasetFile& set) {
-  if (options.actuator) return *options.actuator;
-  if (set.actuator && std::filesystem::exists(*set.actuator)) return *set.actuator;
-  if (set.actuator)
-    throw text::InputError({.file = set.file,
-                            .place = "/actuator",
-                            .rule = "must name a file, from the folder of the data set on, or be given by --actuator",
-                            .value = fmt::format("{}, which is not there", set.actuator->string())});
-  throw text::InputError({.file = set.file, .rule = "names no \"actuator\"; one must be given with --actuator"});
-}
-
 // Results among the data would be taken for data, or lie over them or the actuator that they declare.
 void check_output(const DiagnoseOptions& options, const formats::DatasetFile& set,
                   const std::filesystem::path& declared) {
@@ -84,7 +64,7 @@ void check_output(const DiagnoseOptions& options, const formats::DatasetFile& se
     throw text::OutputError(options.out, "it is the folder of the data set", text::OutputError::Stage::preparing);
   std::vector<std::filesystem::path> inputs = set.run_files;
   inputs.insert(inputs.end(), {set.file, declared});
-  std::vector<const char*> names(diagnosis_files.begin(), diagnosis_files.end());
+  std::vector<const char*> names(results::diagnosis_files.begin(), results::diagnosis_files.end());
   if (options.report) names.push_back(report_name);
   std::vector<std::filesystem::path> outputs;
   for (const char* name : names) outputs.push_back(std::filesystem::path(options.out) / name);
@@ -111,66 +91,39 @@ class KnownSoFar {
   std::optional<Diagnosis> known_;
 };
 
-// A set that does not fit its model, or a model that cannot be simulated, is bad data and not a failure of the program.
-Diagnosis diagnose(const DiagnoseOptions& options, const formats::DatasetFile& set,
-                   const formats::DeclaredActuator& declared, const std::filesystem::path& declared_file,
-                   KnownSoFar& known) {
+Diagnosis diagnose(const DiagnoseOptions& options, const results::AskedDiagnosis& asked, KnownSoFar& known) {
   // Ceres tells standard error of every fit that it gives up; a hypothesis that cannot be simulated is no news here.
   FLAGS_minloglevel = google::GLOG_FATAL;
-  measurement::DiagnosisOptions how{.threads = options.threads, .seed = options.seed, .as_written = options.as_written};
+  measurement::DiagnosisOptions how{.threads = options.threads, .as_written = options.as_written};
   // No progress: without a warning a wrong unit shows by nothing but a long wait.
   if (!options.json)
     how.warn = [](const measurement::data::Warning& each) {
       std::cerr << "warning: " << each.run << ": " << each.text << '\n';
     };
-  how.beliefs = set.beliefs;
   how.known = [&known](const Diagnosis& so_far) { known.set(so_far); };
   if (!options.quiet) how.progress = [](const std::string& line) { std::cerr << line << '\n'; };
-  try {
-    return measurement::diagnose(set.data, declared.model, how);
-  } catch (const measurement::records::RecordSlip& slip) {
-    throw text::InputError({.file = set.file, .rule = fmt::format("{}; --as-written takes it as it is", slip.what())});
-  } catch (const std::invalid_argument& misfit) {
-    throw text::InputError({.file = set.file, .rule = misfit.what()});
-  } catch (const std::runtime_error& lost) {
-    throw text::InputError({.file = declared_file.string(), .rule = lost.what()});
-  }
+  return results::diagnose(asked, std::move(how));
 }
 
-// The data set and what it declares, read and checked before the work.
-struct AskedDiagnosis {
-  formats::DatasetFile set;
-  std::filesystem::path declared_file;
-  formats::DeclaredActuator declared;
-  Provenance provenance;
-};
-
-AskedDiagnosis read_asked(const DiagnoseOptions& options) {
-  formats::DatasetFile set = formats::read_dataset(options.dataset);
-  std::filesystem::path declared_file = declared_path(options, set);
-  formats::DeclaredActuator declared = formats::read_declared_actuator(
-      declared_file, {.names = set.calibrate, .file = set.file, .tolerances = set.tolerances});
-  check_output(options, set, declared_file);
-  Provenance provenance = provenance_of(set, declared_file, options.seed);
-  return {.set = std::move(set),
-          .declared_file = std::move(declared_file),
-          .declared = std::move(declared),
-          .provenance = std::move(provenance)};
+results::AskedDiagnosis read_asked(const DiagnoseOptions& options) {
+  results::AskedDiagnosis asked = results::read_asked(options.dataset, options.actuator, options.seed);
+  check_output(options, asked.set, asked.declared_file);
+  return asked;
 }
 
-void write(const DiagnoseOptions& options, const AskedDiagnosis& asked, const Diagnosis& diagnosis) {
-  const auto print = [&](const DiagnosisTexts& texts) {
-    if (!options.part.part) std::cout << (options.json ? texts.json : texts.summary) << std::flush;
-  };
+void write(const DiagnoseOptions& options, const results::AskedDiagnosis& asked, const Diagnosis& diagnosis) {
+  const results::DiagnosisAnswer answer = results::answer_of(diagnosis, asked);
+  // Before anything is written, so that no disk can lose it.
+  if (!options.part.part) std::cout << (options.json ? answer.json : answer.summary) << std::flush;
   try {
-    write_diagnosis(diagnosis, asked.set, asked.declared, asked.provenance, options.out, print);
+    results::write_diagnosis(diagnosis, asked, answer, options.out);
   } catch (const text::OutputError& refusal) {
     throw std::runtime_error(refusal.what());  // the work is done, wherever the disk refuses
   }
 }
 
 // What is known is written, and the work, which knows nothing of signals and limits, ends with the program.
-[[noreturn]] void end_interrupted(const DiagnoseOptions& options, const AskedDiagnosis& asked,
+[[noreturn]] void end_interrupted(const DiagnoseOptions& options, const results::AskedDiagnosis& asked,
                                   const std::optional<Diagnosis>& known, std::string_view why) {
   ExitCode code = ExitCode::interrupted;
   try {
@@ -188,7 +141,7 @@ void write(const DiagnoseOptions& options, const AskedDiagnosis& asked, const Di
 
 // One of many sets, which have nothing in common but the program and how it is asked.
 formats::PartFile part_of(const DiagnoseOptions& options) {
-  const Provenance question{.command = "diagnose", .seed = options.seed};
+  const results::Provenance question{.command = "diagnose", .seed = options.seed};
   return {.part = options.part.part.value(),
           .whole = whole_of(question, "data sets", options.as_written ? "--as-written" : "guarded against slips"),
           .machine = this_machine(),
@@ -197,7 +150,7 @@ formats::PartFile part_of(const DiagnoseOptions& options) {
 
 void run_diagnose(const DiagnoseOptions& options) {
   const StopSignal stop;
-  const AskedDiagnosis asked = read_asked(options);
+  const results::AskedDiagnosis asked = read_asked(options);
   std::optional<formats::PartFile> part;
   if (options.part.part) {
     part = part_of(options);
@@ -205,8 +158,7 @@ void run_diagnose(const DiagnoseOptions& options) {
     std::filesystem::remove(std::filesystem::path(options.out) / part_name);
   }
   KnownSoFar known;
-  std::future<Diagnosis> work = std::async(
-      std::launch::async, [&] { return diagnose(options, asked.set, asked.declared, asked.declared_file, known); });
+  std::future<Diagnosis> work = std::async(std::launch::async, [&] { return diagnose(options, asked, known); });
   constexpr std::chrono::milliseconds soon{50};
   using Minutes = std::chrono::duration<double, std::ratio<60>>;
   const auto begun = std::chrono::steady_clock::now();

@@ -15,7 +15,8 @@
 #include <system_error>
 #include <utility>
 
-#include "packed_files.hpp"
+#include "coilwright/results/page_file.hpp"
+#include "coilwright/text/packed_file.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -74,9 +75,10 @@ DrawnFigures draw_figures(std::vector<page::FigureFile> files) {
   const fs::path charts = work.path() / "charts";
   fs::create_directories(charts);
   for (const char* name : {"figures.cjs", "theme.js", "page.css"})
-    write(work.path() / name, packed_text(page_files(), name));
-  write(work.path() / "node_modules/vega/index.js", packed_text(report_libraries(), "vega.js"));
-  write(work.path() / "node_modules/vega-lite/index.js", packed_text(report_libraries(), "vega-lite.js"));
+    write(work.path() / name, text::packed_text(results::page_files(), name));
+  write(work.path() / "node_modules/vega/index.js", text::packed_text(results::report_libraries(), "vega.js"));
+  write(work.path() / "node_modules/vega-lite/index.js",
+        text::packed_text(results::report_libraries(), "vega-lite.js"));
   for (const page::FigureFile& file : files)
     if (file.name.ends_with(chart)) write(charts / file.name, file.text);
   const int status = run_node(work.path() / "figures.cjs", charts);

@@ -18,6 +18,7 @@
 #include "coilwright/report/simulation/correction_text.hpp"
 #include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
+#include "coilwright/results/page_file.hpp"
 #include "coilwright/simulation/choice_effects.hpp"
 #include "coilwright/simulation/correction_reach.hpp"
 #include "coilwright/simulation/part_limits.hpp"
@@ -102,7 +103,7 @@ void evaluate(const actuator::Design& design, const formats::ActuatorFile& file,
   if (options.page)
     write_page(
         page::evaluation_page({.design = design, .assembly = assembly, .point = point, .performance = view.performance},
-                              effects, file.name, made_by()),
+                              effects, file.name, results::made_by()),
         *options.page, {.force = options.force});
   if (options.json) {
     text::Json out = formats::to_json(view);

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "build_info.hpp"
+#include "coilwright/results/build_info.hpp"
 #include "command_tree.hpp"
 
 namespace coilwright::cli {
@@ -89,7 +89,7 @@ std::string manual_page(const CLI::App& command) {
   std::string title = name;
   std::ranges::transform(title, title.begin(),
                          [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
-  std::string text = fmt::format(".TH \"{}\" 1 \"\" \"coilwright {}\" \"Coilwright\"\n", title, version());
+  std::string text = fmt::format(".TH \"{}\" 1 \"\" \"coilwright {}\" \"Coilwright\"\n", title, results::version());
   text += fmt::format(".SH NAME\n{} \\- {}\n", escaped(name), escaped(command.get_description()));
   text += ".SH SYNOPSIS\n" + synopsis(command);
   text += ".SH OPTIONS\n" + arguments(command);

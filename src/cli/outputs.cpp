@@ -8,8 +8,8 @@
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/text/output/output_file.hpp"
 
+#include "coilwright/results/provenance.hpp"
 #include "options.hpp"
-#include "provenance.hpp"
 
 namespace coilwright::cli {
 
@@ -86,7 +86,7 @@ void keep_results_of_others(const std::filesystem::path& folder, std::span<const
 }
 
 void keep_other_provenance(const std::filesystem::path& folder, bool force) {
-  keep_results_of_others(folder, std::array{provenance_name}, "\"provenance/1\"", force);
+  keep_results_of_others(folder, std::array{results::provenance_name}, "\"provenance/1\"", force);
 }
 
 std::string printed(const std::filesystem::path& path) {

@@ -15,11 +15,4 @@ using text::PackedFile;
 /// The files of configs/starts: what `init` writes.
 [[nodiscard]] std::span<const PackedFile> starts();
 
-/// Our own scripts and style of a report: theme.js, page.js, front.js, page.css, and figures.cjs for Node.
-[[nodiscard]] std::span<const PackedFile> page_files();
-
-/// Vega, Vega-Lite and vega-embed in the order in which they run, and licences.txt; none where the program was built
-/// without.
-[[nodiscard]] std::span<const PackedFile> report_libraries();
-
 }  // namespace coilwright::cli

@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/formats/study/front_json.hpp"
+#include "coilwright/formats/study/result_files.hpp"
 #include "coilwright/report/front_text.hpp"
 #include "coilwright/sizing/search/pareto.hpp"
+#include "coilwright/sizing/study/after_search.hpp"
 #include "coilwright/sizing/study/design_problem.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
-#include "found_designs.hpp"
 #include "part_run.hpp"
 #include "progress_line.hpp"
 #include "report_option.hpp"
@@ -57,14 +57,11 @@ ExitCode run_pareto(const StudyOptions& options, const PartOptions& part_options
     return sizing::pareto(archive.study().problem(), search);
   }();
   const std::vector<sizing::BrokenPartLimit> broken =
-      sizing::broken_part_limits(problem.study(), evaluated_again(problem, result.front));
+      sizing::broken_part_limits(problem.study(), sizing::evaluated_again(problem, result.front));
   const std::vector<sizing::Record> records = result.archive.records();
   archive.write_results([&] {
-    formats::write_front(folder.open("front.csv"), study, result.front);
-    formats::write_evaluations(folder.open("evaluations.csv"), study, records);
-    formats::write_convergence(folder.open("convergence.csv"), result.archive);
-    folder.write("result.json", formats::to_json(study, result, broken).text());
-    folder.write(provenance_name, to_json(input.provenance).text());
+    formats::write_pareto(folder, study, result, broken);
+    folder.write(results::provenance_name, to_json(input.provenance).text());
     folder.remove(part_name);
     folder.commit("result.json");
   });

@@ -107,7 +107,7 @@ void require_figures_of_head(const PartOptions& options, const formats::Machine&
                   here.name(), head.name()));
 }
 
-std::optional<formats::PartFile> begin_search_part(const PartOptions& options, Provenance provenance,
+std::optional<formats::PartFile> begin_search_part(const PartOptions& options, results::Provenance provenance,
                                                    sizing::Study& study) {
   if (!options.part) return std::nullopt;
   const sizing::SearchOptions& search = study.search;
@@ -123,9 +123,9 @@ std::optional<formats::PartFile> begin_search_part(const PartOptions& options, P
   return out;
 }
 
-archive::Contents whole_of(const Provenance& provenance, const std::string& study, std::string how) {
+archive::Contents whole_of(const results::Provenance& provenance, const std::string& study, std::string how) {
   archive::Contents whole{.command = provenance.command, .study = study, .program = this_program()};
-  for (const InputRecord& input : provenance.inputs)
+  for (const results::InputRecord& input : provenance.inputs)
     whole.inputs.push_back({.file = input.file, .sha256 = input.sha256, .text = input.text});
   whole.changes = provenance.changes;
   whole.algorithm = std::move(how);

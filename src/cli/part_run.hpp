@@ -6,10 +6,10 @@
 #include <string>
 
 #include "coilwright/formats/study/part_file.hpp"
+#include "coilwright/results/provenance.hpp"
 #include "coilwright/sizing/study/design_problem.hpp"
 #include "coilwright/sizing/study/part.hpp"
 #include "coilwright/text/output/output_folder.hpp"
-#include "provenance.hpp"
 
 namespace coilwright::cli {
 
@@ -43,11 +43,12 @@ void require_figures_of_head(const PartOptions& options, const formats::Machine&
 /// What a part of `size` or `pareto` is: a search by a seed of its own, that of the study plus the number of the part,
 /// less one. Sets it in `study`, and gives what is to become of part.json; nothing without --part. Throws as
 /// require_figures_of_head().
-[[nodiscard]] std::optional<formats::PartFile> begin_search_part(const PartOptions& options, Provenance provenance,
-                                                                 sizing::Study& study);
+[[nodiscard]] std::optional<formats::PartFile> begin_search_part(const PartOptions& options,
+                                                                 results::Provenance provenance, sizing::Study& study);
 
 /// What all parts of a run share. `how` are the options that decide what comes out, for the errors of merge.
-[[nodiscard]] archive::Contents whole_of(const Provenance& provenance, const std::string& study, std::string how);
+[[nodiscard]] archive::Contents whole_of(const results::Provenance& provenance, const std::string& study,
+                                         std::string how);
 
 /// Writes part.json into a folder, which may be locked, and says so in a line of standard output.
 void write_part(text::OutputFolder& folder, const formats::PartFile& part);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "build_info.hpp"
+#include "coilwright/results/build_info.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "command_tree.hpp"
 #include "commands.hpp"
@@ -73,7 +73,7 @@ void add_version_command(CLI::App& app, Outcome&) {
       app.add_subcommand("version", "Print the version, the commit it was built from and the libraries");
   add_json_option(*command, *json, "text");
   command->footer("Example:\n  coilwright version --json");
-  command->callback([json] { std::cout << (*json ? version_json().text() : version_text() + '\n'); });
+  command->callback([json] { std::cout << (*json ? results::version_json().text() : results::version_text() + '\n'); });
 }
 
 }  // namespace coilwright::cli

@@ -23,9 +23,6 @@ void add_report_option(CLI::App& command, bool& wanted);
 /// --report FILE of a command that writes no folder; likewise. `force`: its --force.
 void add_report_file_option(CLI::App& command, std::optional<std::string>& file, bool& force);
 
-/// Program and version, as the first lines of a page have them.
-[[nodiscard]] std::string made_by();
-
 /// What a page may be told.
 struct ReportOptions {
   std::optional<std::size_t> pictures{};  ///< designs of a front that are drawn and simulated at most (default 200)

@@ -10,12 +10,12 @@
 
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/data/dataset_file.hpp"
+#include "coilwright/results/provenance.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "coilwright/units/unit.hpp"
 #include "options.hpp"
 #include "outputs.hpp"
-#include "provenance.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -45,10 +45,11 @@ void write(const RigOptions& options, const RigActuator& actuator, const RigResu
   folder.write(actuator_name, declared_text(options, actuator, result));
   keep_others(folder, options.force);
   keep_other_provenance(folder.path(), options.force);
-  folder.write(provenance_name, to_json(Provenance{.command = "rig " + result.rig,
-                                                   .inputs = {record_of(options.actuator.file)},
-                                                   .changes = options.actuator.assignments})
-                                    .text());
+  folder.write(results::provenance_name,
+               to_json(results::Provenance{.command = "rig " + result.rig,
+                                           .inputs = {results::record_of(options.actuator.file)},
+                                           .changes = options.actuator.assignments})
+                   .text());
   folder.commit("dataset.json");
 }
 
@@ -97,7 +98,7 @@ void run_rig(const RigOptions& options,
   std::optional<text::OutputFolder> trial;
   if (!options.out.empty()) {
     keep_inputs({options.actuator.file}, {folder_of(options) / actuator_name, folder_of(options) / "dataset.json",
-                                          folder_of(options) / provenance_name});
+                                          folder_of(options) / results::provenance_name});
     trial.emplace(folder_of(options));
   }
   const RigActuator actuator = read_rig_actuator(options);

@@ -48,7 +48,7 @@ bool holds_results(const fs::path& folder) {
 // --out . beside the study, say: its actuator.json would be taken for a result.
 void keep_inputs_of(const StudyInput& input, const fs::path& folder) {
   std::vector<fs::path> inputs, outputs{folder / archive_name};
-  for (const InputRecord& each : input.provenance.inputs) inputs.emplace_back(each.file);
+  for (const results::InputRecord& each : input.provenance.inputs) inputs.emplace_back(each.file);
   for (const std::string_view name : results) outputs.push_back(folder / name);
   keep_inputs(inputs, outputs);
 }

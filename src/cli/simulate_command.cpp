@@ -20,13 +20,13 @@
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/simulation/commanded_input_file.hpp"
+#include "coilwright/formats/simulation/motion_table.hpp"
 #include "coilwright/report/simulation/correction_text.hpp"
 #include "coilwright/simulation/correction_reach.hpp"
 #include "coilwright/simulation/initial_state.hpp"
 #include "coilwright/simulation/model_input.hpp"
 #include "coilwright/simulation/pressed_joints.hpp"
-#include "coilwright/simulation/transient.hpp"
-#include "coilwright/text/csv/csv_writer.hpp"
+#include "coilwright/simulation/recorded_motion.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "coilwright/units/angle.hpp"
@@ -41,6 +41,7 @@ namespace {
 using simulation::CommandedInput;
 using simulation::Drive;
 using simulation::ModelInput;
+using simulation::RecordedMotion;
 using simulation::State;
 
 struct SimulateOptions {
@@ -127,16 +128,6 @@ ModelInput model_input(const SimulateOptions& options, const actuator::Model& mo
   }
 }
 
-std::vector<std::string> column_names(const CommandedInput& command) {
-  const bool common = command.addressing == simulation::Addressing::common;
-  if (command.drive == Drive::voltage) return {"voltage_V"};
-  if (command.drive == Drive::current && common) return {"current_A"};
-  std::vector<std::string> names;
-  for (std::size_t i = 1; i <= command.rows.front().size(); ++i)
-    names.push_back(command.drive == Drive::current ? fmt::format("current{}_A", i) : fmt::format("torque{}_Nm", i));
-  return names;
-}
-
 // A step starts at rest without current; every other input where a recorded run starts that begins at rest.
 State start_of(const SimulateOptions& options, const actuator::Model& model, const ModelInput& input) {
   const std::optional<State> start =
@@ -147,33 +138,14 @@ State start_of(const SimulateOptions& options, const actuator::Model& model, con
   throw std::runtime_error(options.actuator.file + ": has no stable pose under the first input to start from");
 }
 
-// The joints as they are, and of the bending angle what the camera shows.
-struct Recording {
-  std::vector<State> states;
-  std::vector<double> bending;  // rad
-};
-
-Recording record(const actuator::Model& model, const ModelInput& input, const State& start) {
+RecordedMotion record(const actuator::Model& model, const ModelInput& input, const State& start) {
   // A stiff model, or a long time, takes long: then it is said how far it is.
   std::atomic<double> reached = input.times.front();
   const ProgressLine::Place place = progress_place(false);
   const ProgressLine line(std::cerr, place, progress_interval(place), [&] {
     return fmt::format("the motion is known to {:.6g} s of {:.6g} s", reached.load(), input.times.back());
   });
-  const simulation::Accuracy accuracy{.progress = [&](double time) { reached = time; }};
-  Recording out;
-  const auto show = [&](const std::vector<State>& states) {
-    for (const State& state : states) {
-      const std::span<const double> internal(state.internal.data(), static_cast<std::size_t>(state.internal.size()));
-      const mechanics::JointVector angles = model.shown(state.angles, state.rates, internal).angles;
-      out.bending.push_back(model.observed(model.bending_angle(angles)));
-    }
-  };
-  // First, so that the states of two motions are never held at once.
-  if (model.delay() != 0.0) show(simulation::simulate_as_observed(model, input, start, accuracy));
-  out.states = simulation::simulate(model, input, start, accuracy);
-  if (model.delay() == 0.0) show(out.states);
-  return out;
+  return simulation::record_motion(model, input, start, {.progress = [&](double time) { reached = time; }});
 }
 
 // A recorded current a thousand times too large moves the model to no end; no coil carries it. Heat that stays in a
@@ -195,7 +167,7 @@ void require_bearable(const SimulateOptions& options, const CommandedInput& comm
   const double in_a_second = squares / std::max(1.0, duration);
   const bool melts = coil && in_a_second * coil->resistance > melting_above_room * copper_heat * coil->copper_mass;
   if (!melts && largest <= largest_current) return;
-  const std::string column = column_names(command).front();
+  const std::string column = formats::columns_of_input(command).front();
   const bool voltage = command.drive == Drive::voltage;
   throw text::InputError(
       {.file = options.input,
@@ -207,32 +179,8 @@ void require_bearable(const SimulateOptions& options, const CommandedInput& comm
                            column.substr(0, column.rfind('_')) + (voltage ? "_mV" : "_mA"))});
 }
 
-std::vector<std::string> columns_of(const actuator::Model& model, const CommandedInput& command) {
-  std::vector<std::string> columns{"time_s"};
-  const std::vector<std::string> commanded = column_names(command);
-  columns.insert(columns.end(), commanded.begin(), commanded.end());
-  for (int j = 1; j <= model.joints(); ++j) columns.push_back(fmt::format("theta{}_deg", j));
-  columns.insert(columns.end(), {"bending_angle_deg", "bending_speed_deg_s"});
-  return columns;
-}
-
-void write(std::ostream& stream, const std::vector<std::string>& columns, const CommandedInput& command,
-           const Recording& recording) {
-  const std::vector<State>& states = recording.states;
-  text::CsvWriter csv(stream, columns);
-  std::vector<double> row;
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    row.assign(1, command.times[i]);
-    row.insert(row.end(), command.rows[i].begin(), command.rows[i].end());
-    for (const double angle : states[i].angles) row.push_back(angle * units::degrees_per_radian);
-    row.push_back(recording.bending[i] * units::degrees_per_radian);
-    row.push_back(states[i].rates.sum() * units::degrees_per_radian);
-    csv.row(row);
-  }
-}
-
 // Joints that magnets, weight or a current hold shut for the whole record or a part of it.
-std::string remark_on_joints(const actuator::Model& model, const Recording& recording) {
+std::string remark_on_joints(const actuator::Model& model, const RecordedMotion& recording) {
   std::vector<std::size_t> samples(static_cast<std::size_t>(model.joints()));
   for (const State& state : recording.states)
     for (const int joint : simulation::pressed_joints(model, state.angles)) ++samples[static_cast<std::size_t>(joint)];
@@ -264,21 +212,21 @@ void run_simulate(const SimulateOptions& options) {
   const CommandedInput command = command_of(options, model);
   const ModelInput input = model_input(options, model, command);
   require_bearable(options, command, input, driven.coil);
-  const std::vector<std::string> columns = columns_of(model, command);
+  const std::vector<std::string> columns = formats::columns_of_motion(command, model.joints());
   text::OutputFile file(options.out);
   keep_other_table(file, columns, options.force);
-  const Recording recording = record(model, input, start_of(options, model, input));
-  write(file.stream(), columns, command, recording);
+  const RecordedMotion recording = record(model, input, start_of(options, model, input));
+  formats::write_motion(file.stream(), command, recording);
   file.commit();
   if (options.json) {
-    const auto [least, greatest] = std::ranges::minmax(recording.bending);
+    const auto [least, greatest] = std::ranges::minmax(recording.bending_angles);
     double fastest = 0.0;
     for (const State& state : recording.states) fastest = std::max(fastest, std::abs(state.rates.sum()));
     std::cout << written_json({options.out})
                      .set("samples", recording.states.size())
                      .set("least_bending_angle_deg", least * units::degrees_per_radian)
                      .set("greatest_bending_angle_deg", greatest * units::degrees_per_radian)
-                     .set("last_bending_angle_deg", recording.bending.back() * units::degrees_per_radian)
+                     .set("last_bending_angle_deg", recording.bending_angles.back() * units::degrees_per_radian)
                      .set("greatest_bending_speed_deg_s", fastest * units::degrees_per_radian)
                      .text();
   }

@@ -1,29 +1,24 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "coilwright/actuator/modelling_choices.hpp"
-#include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
-#include "coilwright/formats/study/design_tables.hpp"
+#include "coilwright/formats/study/result_files.hpp"
 #include "coilwright/report/simulation/correction_text.hpp"
 #include "coilwright/report/size_text.hpp"
 #include "coilwright/simulation/correction_reach.hpp"
 #include "coilwright/sizing/search/search.hpp"
-#include "coilwright/sizing/study/yield.hpp"
+#include "coilwright/sizing/study/after_search.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
-#include "found_designs.hpp"
 #include "options.hpp"
 #include "part_run.hpp"
 #include "progress_line.hpp"
@@ -38,81 +33,35 @@ using sizing::DesignProblem;
 using sizing::DesignResult;
 using sizing::EvaluatedDesign;
 
-// The answer is checked where it will be used: the text of actuator.json is read back, evaluated at the operating point
-// found, and held against every limit.
-void check_written_design(const std::string& text, const sizing::Study& study, const EvaluatedDesign& found) {
-  const formats::ActuatorFile file = formats::parse_actuator(text, "actuator.json");
-  EvaluatedDesign again = simulation::evaluate(std::get<actuator::Design>(file.content), file.operating_point.value());
-  again.settings = found.settings;  // no part of an actuator's file
-  for (const sizing::Limit& limit : study.limits) {
-    const std::optional<double> value = limit.quantity.value(again.view());
-    if (!value || !(margin(limit, *value) >= 0.0))
-      throw std::logic_error(
-          fmt::format("the design found does not keep {} when it is read back and evaluated again", name_of(limit)));
-  }
-}
-
-void write_results(text::OutputFolder& folder, const DesignProblem& problem, const formats::SizeReport& answer) {
-  folder.write("result.json", formats::to_json(answer).text());
-  formats::write_evaluations(folder.open("evaluations.csv"), problem.study(), answer.result.archive.records());
-  formats::write_convergence(folder.open("convergence.csv"), answer.result.archive);
-  if (!answer.result.best) {
-    folder.remove("actuator.json");
-  } else {
-    const std::string& study = problem.study().name;
-    const std::string text = design_text(problem, answer.result.best->point, *answer.best,
-                                         answer.result.feasible ? study : study + " (least infeasible)");
-    if (answer.result.feasible) check_written_design(text, problem.study(), std::get<EvaluatedDesign>(*answer.best));
-    folder.write("actuator.json", text);
-  }
-  folder.commit("result.json");
-}
-
-struct Assumptions {
-  std::vector<sizing::AssumptionEffect> effects{};
-  std::size_t left{};  // choices that were not looked at
-};
-
-// Only of an answer: what keeps no limit anyway rests on more than a choice.
-Assumptions assumptions_of(const DesignProblem& problem, const sizing::SearchResult& result,
-                           archive::RecordedStudy& recorded, const Interruption& interruption, bool quiet) {
-  if (!result.feasible) return {};
-  const std::size_t choices = actuator::other_choices(problem.study().base).size();
-  const bool wanted = problem.study().search.afterwards != sizing::Afterwards::nothing;
-  if (!wanted || interruption.requested()) return {.left = choices};
-  std::atomic<std::size_t> looked_at = 0;
+// What follows the search, with a line that tells how far it is.
+sizing::AfterSearch after_search(const DesignProblem& problem, const sizing::SearchResult& result,
+                                 archive::RecordedStudy& recorded, const Interruption& interruption, bool quiet) {
+  std::atomic<std::size_t> builds = 0, of_builds = 0, choices = 0, of_choices = 0;
   const ProgressLine::Place place = progress_place(quiet);
   const ProgressLine line(std::cerr, place, progress_interval(place), [&] {
-    return fmt::format("the design is found; what it rests on: {} of {} modelling choices", looked_at.load(), choices);
+    if (of_choices == 0 && of_builds > 0)
+      return fmt::format("the design is found; {} of {} builds", builds.load(), of_builds.load());
+    return fmt::format("the design is found; what it rests on: {} of {} modelling choices", choices.load(),
+                       of_choices.load());
   });
-  sizing::AssumptionOptions options{
-      .search = problem.study().search,
-      .evaluate =
-          [&](const DesignProblem& other, const actuator::OtherChoice& choice, std::span<const double> point) {
-            return recorded.evaluate_under(sizing::name_of(choice), other, point);
-          },
-      .progress = [&](std::size_t done, std::size_t) { looked_at = done; }};
-  // A search that may take few evaluations is not followed by ones of many. One of builds is not searched again: that
-  // would cost three times the search, and the choices may stand in the spread itself.
-  options.evaluations = problem.study().spread ? 0 : std::min(options.evaluations, options.search.max_evaluations);
-  options.search.stop = interruption.token();
-  Assumptions out{.effects = sizing::assumption_effects(problem, *result.best, options)};
-  out.left = choices - out.effects.size();
-  return out;
-}
-
-// Of an answer, what builds make of it that the search has not seen.
-std::optional<sizing::Yield> built_of(const DesignProblem& problem, const sizing::SearchResult& result,
-                                      const std::optional<DesignResult>& best, const Interruption& interruption,
-                                      bool quiet) {
-  const sizing::Study& study = problem.study();
-  if (!study.spread || !result.feasible || study.search.afterwards == sizing::Afterwards::nothing) return std::nullopt;
-  return yield_with_progress(study, std::get<EvaluatedDesign>(*best),
-                             {.builds = formats::builds_of_answer,
-                              .seed = study.search.seed,
-                              .threads = study.search.threads,
-                              .stop = interruption.token()},
-                             quiet, "the design is found; ");
+  return sizing::after_search(
+      problem, result,
+      {.builds = formats::builds_of_answer,
+       .stop = interruption.token(),
+       .evaluate =
+           [&](const DesignProblem& other, const actuator::OtherChoice& choice, std::span<const double> point) {
+             return recorded.evaluate_under(sizing::name_of(choice), other, point);
+           },
+       .builds_done =
+           [&](std::size_t done, std::size_t of) {
+             builds = done;
+             of_builds = of;
+           },
+       .choices_done =
+           [&](std::size_t done, std::size_t of) {
+             choices = done;
+             of_choices = of;
+           }});
 }
 
 // Where a nameless correction of the actuator is used by the design found; empty without one.
@@ -154,28 +103,17 @@ ExitCode run_size(const StudyOptions& options, const PartOptions& part_options) 
     search.stop = interruption.token();
     return sizing::search(archive.study().problem(), search);
   }();
-  const std::optional<DesignResult> best =
-      result.best ? std::optional(evaluated_again(problem, result.best->point, result.best->evaluation)) : std::nullopt;
-  const DesignResult base = problem.evaluate_base();
-  const sizing::Evaluation base_seen = problem.assess(base);
-  std::optional<sizing::Yield> built = built_of(problem, result, best, interruption, options.quiet);
-  const Assumptions assumptions = assumptions_of(problem, result, archive.study(), interruption, options.quiet);
+  const sizing::AfterSearch after = after_search(problem, result, archive.study(), interruption, options.quiet);
   if (interruption.requested()) result.stop_reason = sizing::StopReason::interrupted;
-  const formats::SizeReport answer{.study = problem.study(),
-                                   .result = result,
-                                   .best = best ? &*best : nullptr,
-                                   .base = base,
-                                   .base_seen = base_seen,
-                                   .assumptions = assumptions.effects,
-                                   .assumptions_left = assumptions.left,
-                                   .built = std::move(built)};
+  const formats::SizeReport answer = formats::size_report(problem, result, after);
   archive.write_results([&] {
-    folder.write(provenance_name, to_json(input.provenance).text());
+    folder.write(results::provenance_name, to_json(input.provenance).text());
     folder.remove(part_name);
-    write_results(folder, problem, answer);
+    formats::write_size(folder, problem, answer);
+    folder.commit("result.json");
   });
   archive.end(sizing::name_of(result.stop_reason), interruption, result.archive.records());
-  const std::vector<simulation::CorrectionReach> reach = reach_of(best);
+  const std::vector<simulation::CorrectionReach> reach = reach_of(after.best);
   if (part) {
     // merge says what came out.
   } else if (options.json) {

@@ -92,8 +92,8 @@ StudyInput read_study(const StudyOptions& options, const ObjectiveCount& objecti
   if (options.max_evaluations) study.search.max_evaluations = *options.max_evaluations;
   if (options.answer_only) study.search.afterwards = sizing::Afterwards::nothing;
   if (options.algorithm) study.search.algorithm = sizing::algorithm_named(*options.algorithm);
-  std::vector<InputRecord> inputs{record_of(file), record_of(actuator)};
-  if (posterior) inputs.push_back(record_of(*posterior));
+  std::vector<results::InputRecord> inputs{results::record_of(file), results::record_of(actuator)};
+  if (posterior) inputs.push_back(results::record_of(*posterior));
   return {.study = std::move(study),
           .provenance = {.inputs = std::move(inputs), .changes = options.changes},
           .builds_a_system = builds_a_system};

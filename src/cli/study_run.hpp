@@ -10,9 +10,9 @@
 #include <thread>
 #include <vector>
 
+#include "coilwright/results/provenance.hpp"
 #include "coilwright/sizing/study/study.hpp"
 #include "coilwright/sizing/study/yield.hpp"
-#include "provenance.hpp"
 #include "signals.hpp"
 
 namespace coilwright::cli {
@@ -50,7 +50,7 @@ struct ObjectiveCount {
 /// A study and the files that it is made of.
 struct StudyInput {
   sizing::Study study;
-  Provenance provenance;
+  results::Provenance provenance;
   bool builds_a_system{};  ///< a gripper, a crawler or a driver
 };
 

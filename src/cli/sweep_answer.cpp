@@ -5,8 +5,8 @@
 
 #include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/report/sweep_text.hpp"
+#include "coilwright/sizing/study/after_search.hpp"
 #include "coilwright/text/input_error.hpp"
-#include "found_designs.hpp"
 
 namespace coilwright::cli {
 
@@ -30,7 +30,8 @@ SweepAnswer::SweepAnswer(const sizing::DesignProblem& problem, const SweepReques
       request_(request),
       summary_(summary),
       best_(summary.leaders().all()),
-      broken_(sizing::broken_part_limits(problem.study(), evaluated_again(problem, sizing::feasible_designs(best_)))) {}
+      broken_(sizing::broken_part_limits(problem.study(),
+                                         sizing::evaluated_again(problem, sizing::feasible_designs(best_)))) {}
 
 formats::SweepReport SweepAnswer::report() const {
   return {.study = problem_.study(),
@@ -44,7 +45,7 @@ formats::SweepReport SweepAnswer::report() const {
           .totals = summary_.totals().quantities};
 }
 
-void SweepAnswer::write(text::OutputFolder& folder, const Provenance& provenance) const {
+void SweepAnswer::write(text::OutputFolder& folder, const results::Provenance& provenance) const {
   const sizing::Study& study = problem_.study();
   if (request_.keep == sizing::Keep::front) {
     const formats::SweepRow write_row = formats::write_sweep(folder.open(rows_name), study);
@@ -52,7 +53,7 @@ void SweepAnswer::write(text::OutputFolder& folder, const Provenance& provenance
   }
   formats::write_leaders(folder.open("best.csv"), study, best_);
   folder.write("result.json", formats::to_json(report()).text());
-  folder.write(provenance_name, to_json(provenance).text());
+  folder.write(results::provenance_name, to_json(provenance).text());
 }
 
 void SweepAnswer::print(bool json) const {

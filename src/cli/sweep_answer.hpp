@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "coilwright/formats/study/sweep_json.hpp"
+#include "coilwright/results/provenance.hpp"
 #include "coilwright/sizing/study/sweep_summary.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
-#include "provenance.hpp"
 
 namespace coilwright::cli {
 
@@ -30,7 +30,7 @@ class SweepAnswer {
   SweepAnswer& operator=(const SweepAnswer&) = delete;
 
   /// best.csv, result.json and provenance.json, with the rows that are known only now.
-  void write(text::OutputFolder& folder, const Provenance& provenance) const;
+  void write(text::OutputFolder& folder, const results::Provenance& provenance) const;
   void print(bool json) const;
   [[nodiscard]] ExitCode code() const;
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "coilwright/formats/study/part_file.hpp"
+#include "coilwright/results/sha256.hpp"
 #include "coilwright/sizing/study/sweep_summary.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_folder.hpp"
@@ -23,7 +24,6 @@
 #include "progress_line.hpp"
 #include "report_option.hpp"
 #include "run_archive.hpp"
-#include "sha256.hpp"
 #include "study_run.hpp"
 #include "sweep_answer.hpp"
 
@@ -70,7 +70,7 @@ void end_sweep_part(text::OutputFolder& folder, const SweepRequest& request, for
   part.results = formats::to_json(formats::SweepPart{.count = request.count,
                                                      .keep = request.keep,
                                                      .sample = request.sample,
-                                                     .rows_sha256 = exists(rows) ? sha256_of_file(rows) : "",
+                                                     .rows_sha256 = exists(rows) ? results::sha256_of_file(rows) : "",
                                                      .totals = summary.totals(),
                                                      .kept = summary.kept()});
   write_part(folder, part);

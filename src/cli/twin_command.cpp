@@ -15,6 +15,7 @@
 #include "coilwright/formats/data/declared_actuator.hpp"
 #include "coilwright/formats/data/twin_answer.hpp"
 #include "coilwright/measurement/experiment/synthetic_data.hpp"
+#include "coilwright/results/provenance.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/text/output/output_file.hpp"
@@ -23,7 +24,6 @@
 #include "experiment_options.hpp"
 #include "options.hpp"
 #include "outputs.hpp"
-#include "provenance.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -80,8 +80,8 @@ std::filesystem::path answer_file_of(const TwinOptions& options) {
 // Writing over the actuator or the experiment would lose it.
 void check_output(const TwinOptions& options, const Experiment& experiment) {
   const std::filesystem::path folder = folder_of(options);
-  std::vector<std::filesystem::path> outputs{folder / actuator_name, folder / "dataset.json", folder / provenance_name,
-                                             answer_file_of(options)};
+  std::vector<std::filesystem::path> outputs{folder / actuator_name, folder / "dataset.json",
+                                             folder / results::provenance_name, answer_file_of(options)};
   for (const auto& each : experiment.runs) {
     outputs.push_back(folder / each.plan.name);
     if (each.input_rate > 0.0) outputs.push_back(folder / formats::input_file_name(each.plan.name));
@@ -125,9 +125,9 @@ void write(const TwinOptions& options, const Experiment& experiment, const std::
   keep_other(answer, options.force);
   keep_other_provenance(out, options.force);
   // Neither effects nor seed, by which they could be found.
-  const Provenance provenance{.command = "twin",
-                              .inputs = {record_of(options.actuator), record_of(options.experiment.file)}};
-  folder.write(provenance_name, to_json(provenance).text());
+  const results::Provenance provenance{
+      .command = "twin", .inputs = {results::record_of(options.actuator), results::record_of(options.experiment.file)}};
+  folder.write(results::provenance_name, to_json(provenance).text());
   answer.withdraw();
   folder.commit("dataset.json");
   answer.commit();

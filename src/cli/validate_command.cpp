@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "coilwright/page/pages.hpp"
+#include "coilwright/results/page_file.hpp"
 #include "coilwright/systems/validation/paper_comparison.hpp"
 #include "coilwright/text/json/json.hpp"
 #include "commands.hpp"
@@ -64,7 +65,7 @@ void add_validate_command(CLI::App& app, Outcome& outcome) {
     require_writable({page->value_or("")});
     const std::vector<Comparison> rows = systems::validation::compare_with_paper();
     const auto outside = std::ranges::count_if(rows, [](const Comparison& row) { return !row.holds(); });
-    if (*page) write_page(page::comparison_page(rows, made_by()), **page, {.force = *force});
+    if (*page) write_page(page::comparison_page(rows, results::made_by()), **page, {.force = *force});
     if (*json)
       std::cout << as_json(rows, outside == 0).text();
     else

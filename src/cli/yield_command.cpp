@@ -13,6 +13,8 @@
 #include "coilwright/formats/study/size_json.hpp"
 #include "coilwright/formats/study/study_file.hpp"
 #include "coilwright/report/yield_text.hpp"
+#include "coilwright/results/provenance.hpp"
+#include "coilwright/results/sha256.hpp"
 #include "coilwright/sizing/study/yield.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/document.hpp"
@@ -20,7 +22,6 @@
 #include "commands.hpp"
 #include "options.hpp"
 #include "part_run.hpp"
-#include "sha256.hpp"
 #include "study_run.hpp"
 #include "yield_study.hpp"
 
@@ -50,14 +51,14 @@ YieldQuestion question_of(const YieldCommandOptions& options) {
 }
 
 // The study, the actuator and, of a spread that has one, the diagnosis.
-Provenance yield_provenance(const YieldCommandOptions& options, const YieldQuestion& question) {
-  Provenance out{.command = "yield",
-                 .inputs = {record_of(question.study), record_of(question.actuator)},
-                 .changes = options.changes,
-                 .seed = options.seed};
+results::Provenance yield_provenance(const YieldCommandOptions& options, const YieldQuestion& question) {
+  results::Provenance out{.command = "yield",
+                          .inputs = {results::record_of(question.study), results::record_of(question.actuator)},
+                          .changes = options.changes,
+                          .seed = options.seed};
   const formats::StudyFile file =
       formats::parse_study_file(question.study.text, question.study.file, {.actuator = &question.actuator});
-  if (file.posterior) out.inputs.push_back(record_of(*file.posterior));
+  if (file.posterior) out.inputs.push_back(results::record_of(*file.posterior));
   return out;
 }
 
@@ -77,10 +78,11 @@ ExitCode run_yield_part(const YieldCommandOptions& options, const YieldQuestion&
   if (!builds) return ExitCode::interrupted;
   formats::write_builds(folder.open(builds_name), *builds);
   folder.commit();
-  part.results = formats::to_json(formats::YieldPart{.builds = options.builds,
-                                                     .worth_builds = options.worth_builds,
-                                                     .current = options.current,
-                                                     .rows_sha256 = sha256_of_file(folder.path() / builds_name)});
+  part.results =
+      formats::to_json(formats::YieldPart{.builds = options.builds,
+                                          .worth_builds = options.worth_builds,
+                                          .current = options.current,
+                                          .rows_sha256 = results::sha256_of_file(folder.path() / builds_name)});
   write_part(folder, part);
   return ExitCode::done;
 }

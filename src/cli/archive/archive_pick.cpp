@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "cli/commands.hpp"
-#include "cli/found_designs.hpp"
 #include "cli/outputs.hpp"
+#include "coilwright/formats/study/result_files.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "opened_archive.hpp"
 
@@ -39,8 +39,8 @@ void add_archive_pick(CLI::App& command) {
     const std::vector<double> point = point_of(problem, archive, row);
     text::OutputFile file(options->out);
     const std::string& study = archive.contents().study;
-    file.stream() << design_text(problem, point, problem.evaluate(point),
-                                 sizing::is_feasible(row.evaluation) ? study : study + " (infeasible)");
+    file.stream() << formats::design_text(problem, point, problem.evaluate(point),
+                                          sizing::is_feasible(row.evaluation) ? study : study + " (infeasible)");
     keep_other(file, options->force);
     file.commit();
     // Standard output has the actuator itself, which is JSON.

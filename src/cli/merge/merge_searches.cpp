@@ -21,7 +21,7 @@ constexpr const char* seeds_name = "seeds.json";
 
 // What `size` leaves, of which the best seed's is the answer.
 constexpr std::array files_of_size{"result.json", "actuator.json", "evaluations.csv", "convergence.csv",
-                                   provenance_name};
+                                   results::provenance_name};
 
 // A design of a search and the seed that found it.
 struct FoundDesign {
@@ -143,7 +143,7 @@ ExitCode merge_pareto(const MergeOptions& options, const Parts& parts) {
   for (const FoundDesign& each : answer) front.push_back(each.record);
   text::OutputFolder folder(options.out);
   formats::write_front(folder.open("front.csv"), problem.study(), front);
-  folder.write(provenance_name, cli::to_json(provenance_of_whole(parts.whole)).text());
+  folder.write(results::provenance_name, results::to_json(provenance_of_whole(parts.whole)).text());
   write_seeds(options, folder, {problem.study(), parts.whole, searches, answer});
   return front.empty() ? ExitCode::infeasible : ExitCode::done;
 }

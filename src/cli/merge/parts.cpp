@@ -8,7 +8,7 @@
 
 #include "cli/outputs.hpp"
 #include "cli/part_run.hpp"
-#include "cli/sha256.hpp"
+#include "coilwright/results/sha256.hpp"
 #include "coilwright/text/input_error.hpp"
 
 namespace coilwright::cli {
@@ -121,12 +121,12 @@ void for_each_part(const Parts& parts,
 
 void require_written(const fs::path& file, const std::string& sha256) {
   std::error_code error;
-  if (fs::exists(file, error) && sha256_of_file(file) == sha256) return;
+  if (fs::exists(file, error) && results::sha256_of_file(file) == sha256) return;
   throw refused_part(file, "is not there, or not what the part wrote (SHA-256): make the part again");
 }
 
-Provenance provenance_of_whole(const archive::Contents& whole) {
-  Provenance out{.command = whole.command, .changes = whole.changes, .seed = whole.seed};
+results::Provenance provenance_of_whole(const archive::Contents& whole) {
+  results::Provenance out{.command = whole.command, .changes = whole.changes, .seed = whole.seed};
   for (const archive::Input& input : whole.inputs)
     out.inputs.push_back({.file = input.file, .sha256 = input.sha256, .text = input.text});
   return out;

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/provenance.hpp"
 #include "coilwright/formats/study/part_file.hpp"
+#include "coilwright/results/provenance.hpp"
 
 namespace coilwright::cli {
 
@@ -42,7 +42,7 @@ void for_each_part(const Parts& parts, const std::function<void(std::size_t numb
 void require_written(const std::filesystem::path& file, const std::string& sha256);
 
 /// Where the whole comes from, as the run on one machine says it.
-[[nodiscard]] Provenance provenance_of_whole(const archive::Contents& whole);
+[[nodiscard]] results::Provenance provenance_of_whole(const archive::Contents& whole);
 
 /// "2, 5 to 7".
 [[nodiscard]] std::string ranges_text(const std::vector<std::size_t>& ascending);

@@ -86,6 +86,30 @@ Evaluation Archive::evaluate(std::span<const double> point) {
   return *slot->evaluation;
 }
 
+void Archive::evaluate_together(std::span<const std::vector<double>> points) {
+  const Problem& problem = storage_->problem;
+  std::vector<std::vector<double>> fresh;
+  for (const std::vector<double>& point : points)
+    if (!find(point)) fresh.push_back(legal_point(problem.variables, point));
+  std::ranges::sort(fresh);
+  const auto twice = std::ranges::unique(fresh);
+  fresh.erase(twice.begin(), twice.end());
+  if (fresh.empty()) return;
+  std::vector<Evaluation> evaluations = problem.evaluate_together(fresh);
+  if (evaluations.size() != fresh.size())
+    throw std::logic_error(
+        fmt::format("evaluate_together: must return {} evaluations; got {}", fresh.size(), evaluations.size()));
+  for (std::size_t i = 0; i < fresh.size(); ++i) {
+    Evaluation evaluation = checked(problem, std::move(evaluations[i]));
+    const std::scoped_lock lock{storage_->guard};
+    std::unique_ptr<Slot>& slot = storage_->slots[fresh[i]];
+    if (!slot) slot = std::make_unique<Slot>();
+    if (slot->evaluation) continue;
+    slot->evaluation = std::move(evaluation);
+    ++storage_->evaluated;
+  }
+}
+
 void Archive::number(std::span<const double> point) {
   const std::vector<double> key = legal_point(storage_->problem.variables, point);
   const std::scoped_lock lock{storage_->guard};

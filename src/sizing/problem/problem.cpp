@@ -90,7 +90,10 @@ void validate_problem(const Problem& problem) {
 }
 
 Evaluation evaluate_checked(const Problem& problem, std::span<const double> point) {
-  Evaluation evaluation = problem.evaluate(point);
+  return checked(problem, problem.evaluate(point));
+}
+
+Evaluation checked(const Problem& problem, Evaluation evaluation) {
   if (!evaluation.failure.empty()) {
     return failed(std::move(evaluation.failure), evaluation.infeasibility, std::move(evaluation.quantities));
   }

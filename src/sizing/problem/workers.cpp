@@ -50,6 +50,7 @@ void Workers::run(std::size_t count, const std::function<void(std::size_t)>& tas
 
 std::vector<Record> Workers::evaluate(Archive& archive, const std::vector<std::vector<double>>& points,
                                       const std::stop_token& stop) {
+  if (archive.problem().evaluate_together && !stop.stop_requested()) archive.evaluate_together(points);
   std::vector<std::optional<Evaluation>> evaluations(points.size());
   run(points.size(), [&](std::size_t i) {
     if (!stop.stop_requested()) evaluations[i] = archive.evaluate(points[i]);

@@ -54,6 +54,40 @@ TEST(Archive, EvaluatesADesignOnceHoweverItsContinuousValueWasRounded) {
   EXPECT_EQ(calls, 4);
 }
 
+// What is dear to call, as an interpreter, is called once for all new designs of a round; those that differ by rounding
+// are one.
+TEST(Archive, EvaluatesNewDesignsTogetherInOneCall) {
+  std::atomic<int> calls = 0;
+  Problem problem = counted(calls);
+  std::vector<std::size_t> sizes;
+  problem.evaluate_together = [&sizes, alone = problem.evaluate](std::span<const std::vector<double>> points) {
+    sizes.push_back(points.size());
+    std::vector<Evaluation> out;
+    for (const std::vector<double>& point : points) out.push_back(alone(point));
+    return out;
+  };
+  Archive archive{problem};
+  const Evaluation known = archive.evaluate(std::vector<double>{0, 2});
+  archive.evaluate_together(std::vector<std::vector<double>>{{0, 2}, {1, 2}, {1, 2}, {-2 + 3 * 0.1, 2}, {-1.7, 2}});
+  EXPECT_EQ(sizes, std::vector<std::size_t>{2});
+  EXPECT_EQ(archive.size(), 3U);
+  EXPECT_EQ(archive.evaluate(std::vector<double>{0, 2}), known);
+  EXPECT_EQ(archive.evaluate(std::vector<double>{-1.7, 2}), problem.evaluate(std::vector<double>{-1.7, 2}));
+  EXPECT_EQ(calls, 4);
+}
+
+TEST(Archive, RefusesAnotherNumberOfEvaluationsThanOfDesigns) {
+  std::atomic<int> calls = 0;
+  Problem problem = counted(calls);
+  problem.evaluate_together = [](std::span<const std::vector<double>>) { return std::vector<Evaluation>(1); };
+  Archive archive{problem};
+  expect_error<std::logic_error>(
+      [&] {
+        archive.evaluate_together(std::vector<std::vector<double>>{{0, 2}, {1, 2}});
+      },
+      "evaluate_together: must return 2 evaluations; got 1");
+}
+
 TEST(Archive, NumbersDesignsOnceInTheOrderItsCallerGives) {
   std::atomic<int> calls = 0;
   Archive archive{counted(calls)};

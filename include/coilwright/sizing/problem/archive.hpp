@@ -42,6 +42,10 @@ class Archive {
   /// has another number of values, lies outside the bounds or off the grid.
   Evaluation evaluate(std::span<const double> point);
 
+  /// Evaluates those of `points` that are new in one call of the problem's `evaluate_together`, which it must have.
+  /// Throws as evaluate().
+  void evaluate_together(std::span<const std::vector<double>> points);
+
   /// Gives the design at an evaluated point the next number in the order of evaluation, unless it has one. Designs are
   /// evaluated at the same time, so that only the caller knows an order that is the same on any number of threads.
   void number(std::span<const double> point);

@@ -57,6 +57,10 @@ struct Problem {
   /// Evaluates one design. Called from several threads at once; must be pure (same point, same bits). An exception
   /// reaches the caller of `search` or `pareto` after every running evaluation has ended.
   std::function<Evaluation(std::span<const double>)> evaluate;
+  /// Evaluates several designs in one call, one after the other, with the bits of `evaluate`: for what is dear to call
+  /// and cheap to do once more, as an interpreter. Called on one thread, with the designs that a search evaluates next;
+  /// those of an NLopt algorithm come one by one through `evaluate`. Empty: `evaluate` does all.
+  std::function<std::vector<Evaluation>(std::span<const std::vector<double>>)> evaluate_together{};
   /// The design that a search evaluates first, a value for each variable: its nearest legal point, clamped to the
   /// bounds and on the grid. Empty: none.
   std::vector<double> start{};
@@ -69,6 +73,9 @@ void validate_problem(const Problem& problem);
 /// the name of the quantity; a failed design has no numbers but a finite `infeasibility`.
 /// Throws std::logic_error if the problem returns another number of objectives or constraints than it declares.
 [[nodiscard]] Evaluation evaluate_checked(const Problem& problem, std::span<const double> point);
+
+/// The same of an evaluation that was made already.
+[[nodiscard]] Evaluation checked(const Problem& problem, Evaluation evaluation);
 
 /// Sum of the positive constraints (dimensionless, >= 0); for a failed design its `infeasibility`.
 [[nodiscard]] double violation(const Evaluation& evaluation);

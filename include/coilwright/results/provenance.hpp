@@ -9,7 +9,7 @@
 #include "coilwright/text/input_text.hpp"
 #include "coilwright/text/json/json.hpp"
 
-namespace coilwright::cli {
+namespace coilwright::results {
 
 /// The name of the file in a folder of results that says where they come from.
 inline constexpr const char* provenance_name = "provenance.json";
@@ -43,4 +43,4 @@ struct Provenance {
 /// provenance/1: that, and the version and the commit of the program.
 [[nodiscard]] text::Json to_json(const Provenance& provenance);
 
-}  // namespace coilwright::cli
+}  // namespace coilwright::results

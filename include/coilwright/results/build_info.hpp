@@ -5,7 +5,7 @@
 
 #include "coilwright/text/json/json.hpp"
 
-namespace coilwright::cli {
+namespace coilwright::results {
 
 /// The state of the repository that this program was built from.
 struct Commit {
@@ -37,4 +37,4 @@ struct Library {
 /// The same for programs.
 [[nodiscard]] text::Json version_json();
 
-}  // namespace coilwright::cli
+}  // namespace coilwright::results

@@ -1,9 +1,9 @@
-#include "provenance.hpp"
+#include "coilwright/results/provenance.hpp"
 
-#include "build_info.hpp"
-#include "sha256.hpp"
+#include "coilwright/results/build_info.hpp"
+#include "coilwright/results/sha256.hpp"
 
-namespace coilwright::cli {
+namespace coilwright::results {
 namespace {
 
 constexpr std::size_t largest_input = 512'000'000;  // bytes, as of a record
@@ -43,4 +43,4 @@ text::Json to_json(const Provenance& provenance) {
                        {"seed", provenance.seed}});
 }
 
-}  // namespace coilwright::cli
+}  // namespace coilwright::results

@@ -1,4 +1,4 @@
-#include "sha256.hpp"
+#include "coilwright/results/sha256.hpp"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>
@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace coilwright::cli {
+namespace coilwright::results {
 namespace {
 
 std::string hexadecimal(std::span<const unsigned char> digest) {
@@ -45,4 +45,4 @@ std::string sha256_of_file(const std::filesystem::path& path) {
   return hexadecimal(std::span(digest).first(size));
 }
 
-}  // namespace coilwright::cli
+}  // namespace coilwright::results

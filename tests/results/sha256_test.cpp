@@ -1,8 +1,8 @@
-#include "cli/sha256.hpp"
+#include "coilwright/results/sha256.hpp"
 
 #include <gtest/gtest.h>
 
-namespace coilwright::cli {
+namespace coilwright::results {
 namespace {
 
 // FIPS 180-4, examples of NIST: one block, two blocks, and the empty message.
@@ -14,4 +14,4 @@ TEST(Sha256, GivesTheDigestsOfTheStandard) {
 }
 
 }  // namespace
-}  // namespace coilwright::cli
+}  // namespace coilwright::results

@@ -1,4 +1,4 @@
-#include "diagnosis_files.hpp"
+#include "coilwright/results/diagnosis_files.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 #include <utility>
 #include <variant>
 
-#include "actuator_input.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/data/diagnosis_tables.hpp"
@@ -18,13 +17,14 @@
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 
-namespace coilwright::cli {
+namespace coilwright::results {
 namespace {
 
 using actuator::Effect;
 using measurement::Diagnosis;
 
 constexpr const char* diagnosis_name = diagnosis_files[0];
+constexpr const char* actuator_name = diagnosis_files[1];
 constexpr const char* corrected_name = diagnosis_files[2];
 constexpr const char* residuals_name = diagnosis_files[3];
 constexpr const char* summary_name = diagnosis_files[4];
@@ -52,12 +52,13 @@ void check_effects(const formats::ActuatorFile& back, const std::vector<Effect>&
       throw std::logic_error(fmt::format("{} is lost when the actuator is read back", effect.kind->id()));
 }
 
-FoundActuators found_actuators(const Diagnosis& diagnosis, const formats::DeclaredActuator& declared) {
+FoundActuators found_actuators(const Diagnosis& diagnosis, const AskedDiagnosis& asked) {
+  const formats::DeclaredActuator& declared = asked.declared;
   FoundActuators out;
   // A fit may go beyond what an actuator can be: its result is kept and says so, rather than being lost at the end.
   const auto read_back = [&](const std::string& text, const char* name, const std::vector<Effect>& added) {
     try {
-      check_effects(formats::parse_actuator(text, name), added);
+      check_effects(formats::parse_actuator(text, name, asked.effects), added);
     } catch (const text::InputError& refusal) {
       out.refused.emplace_back(refusal.what());
     }
@@ -89,28 +90,34 @@ std::string next_experiment_text(const Diagnosis& diagnosis) {
 
 }  // namespace
 
-void write_diagnosis(const Diagnosis& diagnosis, const formats::DatasetFile& set,
-                     const formats::DeclaredActuator& declared, const Provenance& provenance, const std::string& out,
-                     const std::function<void(const DiagnosisTexts&)>& print) {
-  const FoundActuators actuators = found_actuators(diagnosis, declared);
-  const std::string next_experiment = next_experiment_text(diagnosis);
-  formats::DiagnosisReport answer{.diagnosis = diagnosis,
-                                  .dataset = set.data.name,
+DiagnosisAnswer answer_of(const Diagnosis& diagnosis, const AskedDiagnosis& asked) {
+  const formats::DeclaredActuator& declared = asked.declared;
+  FoundActuators actuators = found_actuators(diagnosis, asked);
+  std::string next_experiment = next_experiment_text(diagnosis);
+  formats::DiagnosisReport report{.diagnosis = diagnosis,
+                                  .dataset = asked.set.data.name,
                                   .updated_actuator = actuator_name,
                                   .is_design = actuators.is_design,
                                   .corrected_actuator = actuators.corrected.empty() ? "" : corrected_name,
-                                  .held_out = set.data.held_out,
-                                  .seed = provenance.seed.value_or(0),
+                                  .held_out = asked.set.data.held_out,
+                                  .seed = asked.provenance.seed.value_or(0),
                                   .next_experiment_file = next_experiment.empty() ? "" : next_name,
                                   .refused = actuators.refused};
   if (actuators.is_design)
-    answer.posterior = measurement::design_posterior(
+    report.posterior = measurement::design_posterior(
         diagnosis, [&](std::span<const double> calibration, const std::vector<Effect>& added) {
           return std::get<actuator::Design>(declared.updated(calibration, added));
         });
-  answer.summary = report::summary_of(answer);
-  const DiagnosisTexts texts{.summary = report::to_text(answer), .json = formats::to_json(answer).text()};
-  print(texts);
+  report.summary = report::summary_of(report);
+  return {.summary = report::to_text(report),
+          .json = formats::to_json(report).text(),
+          .actuator = std::move(actuators.updated),
+          .corrected_actuator = std::move(actuators.corrected),
+          .next_experiment = std::move(next_experiment)};
+}
+
+void write_diagnosis(const Diagnosis& diagnosis, const AskedDiagnosis& asked, const DiagnosisAnswer& answer,
+                     const std::string& out) {
   text::OutputFolder folder(out);
   const auto write_or_remove = [&](const char* name, const std::string& text) {
     if (text.empty())
@@ -118,16 +125,16 @@ void write_diagnosis(const Diagnosis& diagnosis, const formats::DatasetFile& set
     else
       folder.write(name, text);
   };
-  folder.write(diagnosis_name, texts.json);
-  folder.write(provenance_name, to_json(provenance).text());
-  folder.write(actuator_name, actuators.updated);
-  write_or_remove(corrected_name, actuators.corrected);
+  folder.write(diagnosis_name, answer.json);
+  folder.write(provenance_name, to_json(asked.provenance).text());
+  folder.write(actuator_name, answer.actuator);
+  write_or_remove(corrected_name, answer.corrected_actuator);
   if (diagnosis.verdict == measurement::Verdict::incomplete)
     folder.remove(residuals_name);
   else
     formats::write_residuals(folder.open(residuals_name), diagnosis.replays);
-  folder.write(summary_name, texts.summary);
-  write_or_remove(next_name, next_experiment);
+  folder.write(summary_name, answer.summary);
+  write_or_remove(next_name, answer.next_experiment);
   // Where an explanation cannot be simulated in the proposed run, there is nothing to compare.
   if (diagnosis.next_experiment && !diagnosis.next_experiment->expected.empty())
     formats::write_expected_readings(folder.open(expected_name), *diagnosis.next_experiment);
@@ -136,4 +143,4 @@ void write_diagnosis(const Diagnosis& diagnosis, const formats::DatasetFile& set
   folder.commit(diagnosis_name);
 }
 
-}  // namespace coilwright::cli
+}  // namespace coilwright::results

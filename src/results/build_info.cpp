@@ -1,4 +1,4 @@
-#include "build_info.hpp"
+#include "coilwright/results/build_info.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace coilwright::cli {
+namespace coilwright::results {
 
 std::string version() {
   return COILWRIGHT_VERSION;
@@ -59,4 +59,4 @@ text::Json version_json() {
                        {"libraries", list}});
 }
 
-}  // namespace coilwright::cli
+}  // namespace coilwright::results

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "coilwright/formats/study/size_json.hpp"
+#include "coilwright/sizing/search/pareto.hpp"
+#include "coilwright/sizing/study/after_search.hpp"
+#include "coilwright/sizing/study/broken_part_limits.hpp"
+#include "coilwright/sizing/study/design_problem.hpp"
+#include "coilwright/text/output/output_folder.hpp"
+
+namespace coilwright::formats {
+
+/// The design of a study at a point as an actuator file (actuator/1) under that name, with the operating point at which
+/// it was judged: none where `result`, its evaluation, has none.
+[[nodiscard]] std::string design_text(const sizing::DesignProblem& problem, std::span<const double> point,
+                                      const sizing::DesignResult& result, const std::string& name);
+
+/// The design that a search found, feasible or not, as actuator.json; it must have found one. A feasible one is read
+/// back, evaluated and held against every limit: throws std::logic_error where it breaks one.
+[[nodiscard]] std::string found_design_text(const sizing::DesignProblem& problem, const sizing::SearchResult& result,
+                                            const sizing::DesignResult& best);
+
+/// What `size` found, from its parts, which must outlive it.
+[[nodiscard]] SizeReport size_report(const sizing::DesignProblem& problem, const sizing::SearchResult& result,
+                                     const sizing::AfterSearch& after);
+
+/// The files of `size`: result.json, evaluations.csv, convergence.csv and actuator.json, where there is a design. The
+/// caller commits the folder.
+void write_size(text::OutputFolder& folder, const sizing::DesignProblem& problem, const SizeReport& report);
+
+/// The files of `pareto`: front.csv, evaluations.csv, convergence.csv and result.json, likewise.
+void write_pareto(text::OutputFolder& folder, const sizing::Study& study, const sizing::ParetoResult& result,
+                  std::span<const sizing::BrokenPartLimit> broken);
+
+}  // namespace coilwright::formats

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "coilwright/sizing/search/search.hpp"
+#include "coilwright/sizing/study/assumption_effects.hpp"
+#include "coilwright/sizing/study/design_problem.hpp"
+#include "coilwright/sizing/study/sweep.hpp"
+#include "coilwright/sizing/study/yield.hpp"
+
+namespace coilwright::sizing {
+
+/// The design at a point that an answer recommends, evaluated anew whatever the search says of it. Throws
+/// std::logic_error where it comes out other than `found`.
+[[nodiscard]] DesignResult evaluated_again(const DesignProblem& problem, std::span<const double> point,
+                                           const Evaluation& found);
+
+/// The same of every design of a front or of a sweep's leaders, each of which must break no limit.
+///@{
+[[nodiscard]] std::vector<DesignResult> evaluated_again(const DesignProblem& problem, std::span<const Record> designs);
+[[nodiscard]] std::vector<DesignResult> evaluated_again(const DesignProblem& problem,
+                                                        std::span<const SweptDesign> designs);
+///@}
+
+/// What is worked out of the answer of a search for one objective, beside its surroundings.
+struct AfterSearch {
+  std::optional<DesignResult> best{};           ///< the design found, evaluated again; nothing if nothing was evaluated
+  DesignResult base;                            ///< the actuator that the study starts from
+  Evaluation base_seen{};                       ///< what the search would be told of it
+  std::optional<Yield> built{};                 ///< builds of a feasible answer to a study with a spread
+  std::vector<AssumptionEffect> assumptions{};  ///< a feasible answer under other modelling choices
+  std::size_t assumptions_left{};               ///< how many of those were not looked at
+};
+
+/// How that is worked out. A study whose search has `Afterwards::nothing` has neither builds nor choices.
+struct AfterSearchOptions {
+  std::size_t builds = 2000;  ///< by fresh dice
+  std::stop_token stop{};     ///< ends it early; what is missing then is left out
+  /// How a point is evaluated under another modelling choice, as in AssumptionOptions. May be empty.
+  decltype(AssumptionOptions::evaluate) evaluate{};
+  ///@{
+  /// Told how many builds and modelling choices were looked at, of how many. May be empty.
+  std::function<void(std::size_t done, std::size_t of)> builds_done{};
+  std::function<void(std::size_t done, std::size_t of)> choices_done{};
+  ///@}
+};
+
+/// All of it. Pure but for the clock of a stop. Throws as evaluated_again().
+[[nodiscard]] AfterSearch after_search(const DesignProblem& problem, const SearchResult& result,
+                                       const AfterSearchOptions& options);
+
+}  // namespace coilwright::sizing

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what building and testing Coilwright needs on Debian 12. Idempotent: does nothing when all is there.
-# `scripts/setup.sh films` adds OpenCV, by which `coilwright track` reads films; `scripts/setup.sh ci` also what only the
-# extra checks of continuous integration need.
+# `scripts/setup.sh films` adds OpenCV, by which `coilwright track` reads films; `scripts/setup.sh python` what the Python
+# package needs; `scripts/setup.sh ci` both and what only the extra checks of continuous integration need.
 set -euo pipefail
 
 packages=(
@@ -10,12 +10,16 @@ packages=(
   libceres-dev libfmt-dev libcli11-dev libcsv-dev libhwy-dev libmuparser-dev libpugixml-dev libsqlitecpp-dev libssl-dev
   libgtest-dev libgmock-dev libbenchmark-dev python3-jsonschema
 )
+python=(pybind11-dev python3-dev python3-numpy python3-pip python3-venv)
+if [[ "${1:-}" == python || "${1:-}" == ci ]]; then
+  packages+=("${python[@]}")
+fi
 if [[ "${1:-}" == films || "${1:-}" == ci ]]; then
   packages+=(libopencv-contrib-dev libopencv-videoio-dev libopencv-calib3d-dev)
 fi
 if [[ "${1:-}" == ci ]]; then
-  packages+=(clang clang-format clang-tidy doxygen libmujoco-dev liburdfdom-tools lua5.4 openscad gmsh getdp chromium
-             python3-openturns strace coop-computing-tools ffmpeg)
+  packages+=(python3-pytest python3-matplotlib python3-pandas mypy clang clang-format clang-tidy doxygen libmujoco-dev
+             liburdfdom-tools lua5.4 openscad gmsh getdp chromium python3-openturns strace coop-computing-tools ffmpeg)
 fi
 
 missing=()

@@ -37,6 +37,7 @@ ROOMS = {
     "page": "exports report",
     "results": "page",
     "cli": "results",
+    "python": "results",
 }
 
 # Folders inside a room, in the order of its method: each includes only those before it, and what lies in the room itself
@@ -60,7 +61,8 @@ HIDDEN = {
     "nlohmann/": "text",
     "csv.h": "text",
     "CLI/": "cli",
-    "glog/": "cli",
+    "pybind11/": "python",
+    "glog/": "cli python",
     "openssl/": "results",
     "hwy/": "magnetics",
     "opencv2/": "video/opencv",

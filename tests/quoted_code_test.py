@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Code that a page quotes from a file stands there: a block that begins with ```cpp examples/FILE is a part of that file,
+"""Code that a page quotes from a file stands there: a block that begins with ```cpp (or python) examples/FILE is a part of that file,
 to the letter."""
 
 import pathlib
@@ -7,7 +7,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-BLOCK = re.compile(r"^```cpp (\S+)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+BLOCK = re.compile(r"^```(?:cpp|python) (\S+)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 
 
 def main() -> int:

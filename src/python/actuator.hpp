@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "coilwright/actuator/model/effect_catalogue.hpp"
+#include "coilwright/actuator/model/model.hpp"
+#include "coilwright/formats/actuator/actuator_file.hpp"
+
+namespace coilwright::python {
+
+/// An actuator as Python holds it: immutable, with the name that errors about it carry.
+struct Actuator {
+  formats::ActuatorFile content;
+  std::string text;    ///< of its file, complete
+  std::string origin;  ///< "finger.json"; "actuator" of one made in memory
+
+  [[nodiscard]] bool is_design() const { return std::holds_alternative<actuator::Design>(content.content); }
+  /// Throws InputError with `reason` where it is a lumped model.
+  [[nodiscard]] const actuator::Design& design(std::string_view reason) const;
+  /// The model, or that of the design. Throws InputError where it cannot be built.
+  [[nodiscard]] actuator::Model model() const;
+};
+
+/// The actuator of a file's text; its effects are of `effects`. Throws InputError.
+[[nodiscard]] Actuator actuator_of(std::string text, std::string origin, const actuator::EffectCatalogue& effects);
+
+/// A design that something found.
+[[nodiscard]] Actuator actuator_of(const actuator::Design& design, const std::string& name,
+                                   const std::optional<actuator::OperatingPoint>& point);
+
+}  // namespace coilwright::python

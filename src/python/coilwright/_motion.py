@@ -1,0 +1,89 @@
+"""Motions over time."""
+
+from __future__ import annotations
+
+import importlib
+import os
+from typing import Any, Optional, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coilwright import _core
+from coilwright._actuator import Actuator, Path
+from coilwright._tables import Columns, csv_text
+
+
+class Motion:
+    """A motion, sample by sample: the columns of `coilwright simulate` by name. Made by `simulate`.
+
+    >>> import coilwright as cw
+    >>> motion = cw.simulate(cw.Actuator.prototype(), step=1.4, duration=0.1)
+    >>> motion.columns
+    ['time_s', 'current_A', 'theta1_deg', 'theta2_deg', 'bending_angle_deg', 'bending_speed_deg_s']
+    >>> motion["time_s"].shape, motion.rows.shape
+    ((51,), (51, 6))
+    """
+
+    def __init__(self, columns: list[str], rows: NDArray[np.float64], title: str) -> None:
+        self.columns = columns
+        """Names of the columns, each with its unit at its end."""
+        self.rows = rows
+        """(samples, columns)"""
+        self._title = title
+
+    def __getitem__(self, column: str) -> NDArray[np.float64]:
+        return self.rows[:, self.columns.index(column)]
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def to_frame(self) -> Any:
+        """As a pandas DataFrame, where pandas is installed."""
+        return importlib.import_module("pandas").DataFrame(self.rows, columns=self.columns)
+
+    def plot(self, axes: Any = None) -> Any:
+        """The bending angle over time, where matplotlib is installed; gives the axes."""
+        from coilwright import _plots
+        return _plots.motion(self, self._title, axes)
+
+    def __repr__(self) -> str:
+        return f"<coilwright.Motion of {self._title!r}, {len(self)} samples>"
+
+
+def simulate(actuator: Actuator, *, step: Optional[float] = None, sine: Optional[tuple[float, float, float]] = None,
+             input: Union[Columns, Path, None] = None, duration: float = 1.0,
+             interval: Optional[float] = None) -> Motion:
+    """The motion of an actuator under one input: a step, a sine, or a table.
+
+    step: current in every coil from time 0 on, A; the actuator starts at rest without current. sine: amplitude (A),
+    offset (A) and frequency (Hz) of the current; it starts at rest under the first sample. input: columns of arrays (or
+    a CSV file) with time_s and current_A, or current1_A.., voltage_V, torque1_Nm..; held between samples; likewise.
+    duration: of a step or a sine, s. interval: between samples, s (0.002); of an input the longest between samples.
+    bending_angle_deg is what the camera shows, if the actuator declares one; the rest as it is. Raises InputError.
+
+    >>> import numpy as np, coilwright as cw
+    >>> time = np.linspace(0, 0.2, 101)
+    >>> motion = cw.simulate(cw.Actuator.prototype(), input={"time_s": time, "current_A": np.where(time < 0.1, 0, 1)})
+    >>> bool(motion["bending_angle_deg"][-1] > motion["bending_angle_deg"][0] + 10)
+    True
+    """
+    if sum(each is not None for each in (step, sine, input)) != 1:
+        raise ValueError("give one of step, sine and input")
+    command = _command(step, sine, input, duration, interval)
+    columns, rows = _core.simulate(actuator._core, command)
+    return Motion(columns, rows, actuator.name)
+
+
+def _command(step: Optional[float], sine: Optional[tuple[float, float, float]], input: Union[Columns, Path, None],
+             duration: float, interval: Optional[float]) -> _core.Command:
+    usual = 0.002 if interval is None else interval
+    if step is not None:
+        return _core.Command.step(step, duration, usual)
+    if sine is not None:
+        return _core.Command.sine(sine, duration, usual)
+    if isinstance(input, (str, os.PathLike)):
+        with open(input, encoding="utf-8") as file:
+            return _core.Command.table(file.read(), os.fspath(input), interval)
+    assert input is not None
+    return _core.Command.table(csv_text(input), "input", interval)

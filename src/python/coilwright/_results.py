@@ -1,0 +1,259 @@
+"""Searches over a study, and what they find."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple, Optional
+
+from coilwright import _core
+from coilwright._actuator import Actuator, Path
+from coilwright._study import Study
+from coilwright._tables import Table
+
+
+class Progress(NamedTuple):
+    """How far a search is.
+
+    >>> import coilwright as cw
+    >>> cw.Progress._fields
+    ('evaluations', 'max_evaluations', 'feasible', 'front_size')
+    """
+
+    evaluations: int
+    """Designs evaluated so far."""
+    max_evaluations: int
+    """Designs allowed."""
+    feasible: int
+    """Of those evaluated, how many keep every limit."""
+    front_size: int
+    """Designs on the front; of one objective 1 or 0."""
+
+
+Listener = Callable[[Progress], object]
+
+
+def _words(seed: Optional[int], max_evaluations: Optional[int], algorithm: Optional[str], threads: int,
+           progress: Optional[Listener]) -> _core.SearchWords:
+    def told(*numbers: int) -> None:
+        assert progress is not None
+        progress(Progress(*numbers))
+
+    return _core.SearchWords(seed, max_evaluations, algorithm, threads, None if progress is None else told)
+
+
+class Sized:
+    """What `size` found.
+
+    >>> import coilwright as cw
+    >>> study = cw.Study.load("configs/studies/fastest_finger.json", set={"/search/max_evaluations": 30})
+    >>> found = cw.size(study, answer_only=True)
+    >>> found.feasible, found.best.name
+    (True, 'fastest_finger')
+    >>> found.evaluations()["status"].shape
+    (30,)
+    """
+
+    def __init__(self, core: _core.SizeAnswer) -> None:
+        self._core = core
+
+    @property
+    def feasible(self) -> bool:
+        """Whether the design keeps every limit; otherwise it is the least infeasible one."""
+        return self._core.feasible
+
+    @property
+    def best(self) -> Actuator:
+        """The design found, with the operating point at which it was judged: `evaluate` needs no current."""
+        text = self._core.best()
+        if text is None:
+            raise ValueError("the search ended before its first evaluation")
+        return Actuator._parse(text, "actuator.json", ())
+
+    def to_dict(self) -> dict[str, Any]:
+        """The content of result.json."""
+        content: dict[str, Any] = self._core.to_dict()
+        return content
+
+    def evaluations(self) -> Table:
+        """Every design that was evaluated: evaluations.csv."""
+        return Table(self._core.evaluations())
+
+    @property
+    def text(self) -> str:
+        """What the program prints: the best design, what limits it, and what it rests on."""
+        return self._core.text
+
+    def write(self, folder: Path) -> None:
+        """Writes result.json, actuator.json, evaluations.csv and convergence.csv, all or none, as the program does: the
+        same bytes. Raises OutputError."""
+        self._core.write(os.fspath(folder))
+
+    def __str__(self) -> str:
+        return self.text
+
+    def _repr_html_(self) -> str:
+        return _preformatted(self.text)
+
+
+class Front:
+    """What `pareto` found: the designs that no other one beats, as actuators, by index.
+
+    >>> import coilwright as cw
+    >>> study = cw.Study.load("configs/studies/speed_against_grip.json")
+    >>> front = cw.pareto(study, max_evaluations=60)
+    >>> len(front) == len(front.table())
+    True
+    >>> front[0].is_design
+    True
+    """
+
+    def __init__(self, core: _core.Front, objectives: list[str]) -> None:
+        self._core = core
+        self._objectives = objectives
+
+    def __len__(self) -> int:
+        return len(self._core)
+
+    def __getitem__(self, index: int) -> Actuator:
+        return Actuator(self._core.actuator(_place(index, len(self))))
+
+    def __iter__(self) -> Iterator[Actuator]:
+        return (self[i] for i in range(len(self)))
+
+    def table(self) -> Table:
+        """A row a design: front.csv."""
+        return Table(self._core.table())
+
+    def evaluations(self) -> Table:
+        """Every design that was evaluated: evaluations.csv."""
+        return Table(self._core.evaluations())
+
+    def to_dict(self) -> dict[str, Any]:
+        """The content of result.json."""
+        content: dict[str, Any] = self._core.to_dict()
+        return content
+
+    @property
+    def text(self) -> str:
+        """What the program prints."""
+        return self._core.text
+
+    def write(self, folder: Path) -> None:
+        """Writes front.csv, evaluations.csv, convergence.csv and result.json: the bytes of the program."""
+        self._core.write(os.fspath(folder))
+
+    def plot(self, axes: Any = None) -> Any:
+        """The front in its first two objectives, where matplotlib is installed; gives the axes."""
+        from coilwright import _plots
+        return _plots.table(self.table(), self._objectives[0], self._objectives[1], axes)
+
+    def __str__(self) -> str:
+        return self.text
+
+    def _repr_html_(self) -> str:
+        return _preformatted(self.text)
+
+
+class Swept:
+    """What `sweep` found: every design as an actuator, by index; all of them in memory.
+
+    >>> import coilwright as cw
+    >>> swept = cw.sweep(cw.Study.load("configs/studies/fastest_finger.json"), sample=4)
+    >>> len(swept), swept[3].is_design
+    (4, True)
+    """
+
+    def __init__(self, core: _core.SweepAnswer) -> None:
+        self._core = core
+
+    def __len__(self) -> int:
+        return len(self._core)
+
+    def __getitem__(self, index: int) -> Actuator:
+        return Actuator(self._core.actuator(_place(index, len(self))))
+
+    def __iter__(self) -> Iterator[Actuator]:
+        return (self[i] for i in range(len(self)))
+
+    def table(self) -> Table:
+        """A row a design: designs.csv."""
+        return Table(self._core.table())
+
+    def to_dict(self) -> dict[str, Any]:
+        """The content of result.json: the leaders and the counts."""
+        content: dict[str, Any] = self._core.to_dict()
+        return content
+
+    @property
+    def text(self) -> str:
+        """What the program prints."""
+        return self._core.text
+
+    def write(self, folder: Path) -> None:
+        """Writes designs.csv, best.csv and result.json: the bytes of the program."""
+        self._core.write(os.fspath(folder))
+
+    def plot(self, x: str, y: str, axes: Any = None) -> Any:
+        """Two columns of the table against each other, where matplotlib is installed; gives the axes."""
+        from coilwright import _plots
+        return _plots.table(self.table(), x, y, axes)
+
+    def __str__(self) -> str:
+        return self.text
+
+
+def size(study: Study, *, seed: Optional[int] = None, max_evaluations: Optional[int] = None,
+         algorithm: Optional[str] = None, threads: int = 0, answer_only: bool = False,
+         progress: Optional[Listener] = None) -> Sized:
+    """The best design of a study with one objective, what limits it, and what that rests on.
+
+    seed, max_evaluations, algorithm: over what the study says. threads: designs evaluated at once; 0: one a core; the
+    answer does not depend on it. answer_only: end with the search. progress: called with a Progress between rounds.
+    Ctrl-C ends it with KeyboardInterrupt. Raises InputError for a study with another number of objectives.
+
+    >>> import coilwright as cw
+    >>> study = cw.Study.load("configs/studies/fastest_finger.json")
+    >>> seen = []
+    >>> found = cw.size(study, max_evaluations=30, answer_only=True, progress=seen.append)
+    >>> seen[-1].evaluations
+    30
+    """
+    return Sized(_core.size(study._core, _words(seed, max_evaluations, algorithm, threads, progress), answer_only))
+
+
+def pareto(study: Study, *, seed: Optional[int] = None, max_evaluations: Optional[int] = None,
+           algorithm: Optional[str] = None, threads: int = 0, progress: Optional[Listener] = None) -> Front:
+    """The best trade-offs of a study with two or three objectives; as `size` otherwise.
+
+    >>> import coilwright as cw
+    >>> cw.pareto(cw.Study.load("configs/studies/speed_against_grip.json"), max_evaluations=30)[0].is_design
+    True
+    """
+    core = _core.pareto(study._core, _words(seed, max_evaluations, algorithm, threads, progress))
+    return Front(core, study.objectives)
+
+
+def sweep(study: Study, *, sample: int = 0, sampling: str = "latin_hypercube", seed: Optional[int] = None,
+          threads: int = 0) -> Swept:
+    """Every design of a grid or, with `sample`, so many from the whole range ("latin_hypercube" or "random").
+
+    >>> import coilwright as cw
+    >>> len(cw.sweep(cw.Study.load("configs/studies/fastest_finger.json"), sample=5, sampling="random"))
+    5
+    """
+    if sampling not in ("latin_hypercube", "random"):
+        raise ValueError(f"sampling: must be 'latin_hypercube' or 'random'; got {sampling!r}")
+    words = _words(seed, None, None, threads, None)
+    return Swept(_core.sweep(study._core, words, sample, sampling == "latin_hypercube"))
+
+
+def _place(index: int, count: int) -> int:
+    if not -count <= index < count:
+        raise IndexError(f"design {index} of {count}")
+    return index % count
+
+
+def _preformatted(text: str) -> str:
+    import html
+    return f"<pre>{html.escape(text)}</pre>"

@@ -1,0 +1,89 @@
+"""Tables: from columns of arrays to the text that the program reads, and back."""
+
+from __future__ import annotations
+
+import csv
+import importlib
+import io
+from collections.abc import Iterator, Mapping
+from typing import Any, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Columns = Mapping[str, ArrayLike]
+"""Columns by name, as a dict of arrays or a DataFrame has them; names end in their unit."""
+Value = Union[float, str, None]
+
+
+def csv_text(columns: Columns) -> str:
+    """The columns as CSV: with every digit, a nan as an empty field."""
+    names = list(columns)
+    arrays = [np.asarray(columns[name], dtype=float).ravel().tolist() for name in names]
+    if len({len(each) for each in arrays}) > 1:
+        raise ValueError("columns must have one length; got " +
+                         ", ".join(f"{name}: {len(each)}" for name, each in zip(names, arrays)))
+    lines = [",".join(names)]
+    lines += [",".join("" if value != value else repr(value) for value in row) for row in zip(*arrays)]
+    return "\n".join(lines) + "\n"
+
+
+class Table:
+    """A table of the program's, row by row or column by column.
+
+    >>> import coilwright as cw
+    >>> table = cw.sweep(cw.Study.load("configs/studies/configurations.json"), sample=3).table()
+    >>> len(table), table[0]["status"] in ("ok", "infeasible", "failed")
+    (3, True)
+    >>> table["mass_g"].shape
+    (3,)
+    """
+
+    def __init__(self, text: str) -> None:
+        rows = list(csv.reader(io.StringIO(text)))
+        self._text = text
+        self._names = rows[0]
+        self._rows = rows[1:]
+
+    @property
+    def columns(self) -> list[str]:
+        """The names of the columns."""
+        return list(self._names)
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def __getitem__(self, key: Union[int, str]) -> Any:
+        """A row as a dict, or a column as an array: of numbers (nan where there is none) or of texts."""
+        if isinstance(key, int):
+            return {name: _value(field) for name, field in zip(self._names, self._rows[key])}
+        return _column([row[self._names.index(key)] for row in self._rows])
+
+    def __iter__(self) -> Iterator[dict[str, Value]]:
+        return (self[i] for i in range(len(self)))
+
+    def to_frame(self) -> Any:
+        """As a pandas DataFrame, where pandas is installed."""
+        return importlib.import_module("pandas").DataFrame({name: self[name] for name in self._names})
+
+    def _repr_html_(self) -> str:
+        return str(self.to_frame()._repr_html_())
+
+    @property
+    def text(self) -> str:
+        """As the program writes it: CSV."""
+        return self._text
+
+
+def _value(field: str) -> Value:
+    try:
+        return float(field)
+    except ValueError:
+        return field or None
+
+
+def _column(fields: list[str]) -> NDArray[Any]:
+    try:
+        return np.array([float(field) if field else np.nan for field in fields])
+    except ValueError:
+        return np.array(fields, dtype=object)

@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "coilwright/formats/actuator/pair_file.hpp"
+#include "coilwright/magnetics/forces.hpp"
+#include "coilwright/magnetics/overlap.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/input_text.hpp"
+#include "coilwright/text/json/document.hpp"
+#include "python/bindings.hpp"
+
+namespace coilwright::python {
+namespace {
+
+namespace py = pybind11;
+using magnetics::Body;
+using magnetics::Pose;
+using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+// Bodies, and where the last one is.
+struct Pair {
+  formats::PairFile file;
+  std::string text;
+  std::string origin;
+};
+
+Pair pair_of(std::string text, std::string origin) {
+  formats::PairFile file = formats::parse_pair(text, origin);
+  return {.file = std::move(file), .text = std::move(text), .origin = std::move(origin)};
+}
+
+Pair loaded_pair(const std::string& path) {
+  text::InputText input = text::read_text(path, text::json_size_limit);
+  return pair_of(std::move(input.text), std::move(input.file));
+}
+
+Eigen::Vector3d row_of(const double* row) {
+  return {row[0], row[1], row[2]};
+}
+
+constexpr double millimetres = 1000.0;  // a metre has
+
+// Where the last body goes: as arrays say, or through the poses of the file.
+class Poses {
+ public:
+  Poses(const Pair& pair, const Array& positions, const Array& axes)
+      : listed_(pair.file.poses),
+        positions_(positions.size() > 0 ? positions.data() : nullptr),
+        axes_(axes.size() > 0 ? axes.data() : nullptr),
+        count_(positions_ != nullptr ? static_cast<std::size_t>(positions.shape(0)) : listed_.size()) {}
+
+  [[nodiscard]] std::size_t count() const noexcept { return count_; }
+  [[nodiscard]] Pose at(std::size_t i) const {
+    if (positions_ == nullptr) return listed_[i];
+    Pose pose = listed_.front();
+    pose.position = row_of(positions_ + 3 * i) / millimetres;
+    if (axes_ != nullptr) pose.axis = row_of(axes_ + 3 * i);
+    return pose;
+  }
+
+ private:
+  const std::vector<Pose>& listed_;
+  const double* positions_;  // mm
+  const double* axes_;
+  std::size_t count_;
+};
+
+text::InputError refusal(const Pair& pair, std::string rule) {
+  return text::InputError({.file = pair.origin, .rule = std::move(rule)});
+}
+
+// Only coils and magnets of the axial kind have a force where they overlap.
+bool needs_room(const std::vector<Body>& bodies) {
+  for (const Body& body : bodies)
+    if (!magnetics::is_axial(body)) return true;
+  return false;
+}
+
+void require_apart(const Pair& pair, const std::vector<Body>& bodies, std::size_t pose) {
+  const Body& last = bodies.back();
+  for (std::size_t i = 0; i + 1 < bodies.size(); ++i) {
+    if (magnetics::is_axial(bodies[i]) && magnetics::is_axial(last)) continue;
+    if (magnetics::overlap(magnetics::shape_of(bodies[i]), magnetics::shape_of(last),
+                           magnetics::seen_from(bodies[i].pose, last.pose)))
+      throw refusal(pair, fmt::format("must have {} and {} apart: in pose {} they are in the same place, where the "
+                                      "force on a magnet's faces means nothing",
+                                      pair.file.names[i], pair.file.names.back(), pose));
+  }
+}
+
+void require_finite(const Pair& pair, const magnetics::Forces& forces, std::size_t pose) {
+  for (const magnetics::Wrench& each : forces.on)
+    if (!each.force.allFinite() || !each.torque.allFinite())
+      throw refusal(pair, fmt::format("pose {}: the force is beyond what can be computed", pose));
+}
+
+// Six numbers a body: the force, N, and the torque, N mm.
+void fill(const Pair& pair, const Poses& poses, std::size_t first, std::size_t last, double* out) {
+  std::vector<Body> bodies = pair.file.bodies_at(pair.file.poses.front());
+  const bool check = needs_room(bodies);
+  for (std::size_t i = first; i < last; ++i) {
+    bodies.back().pose = poses.at(i);
+    if (check) require_apart(pair, bodies, i);
+    const magnetics::Forces forces = magnetics::forces(bodies, pair.file.plate);
+    require_finite(pair, forces, i);
+    for (const magnetics::Wrench& each : forces.on) {
+      for (int k = 0; k < 3; ++k) *out++ = each.force[k];
+      for (int k = 0; k < 3; ++k) *out++ = each.torque[k] * millimetres;
+    }
+  }
+}
+
+Array force(const Pair& pair, const Array& positions, const Array& axes) {
+  constexpr std::size_t between_signals = 5000;  // poses, of microseconds to a millisecond each: then Ctrl-C is heard
+  const Poses poses(pair, positions, axes);
+  const std::size_t bodies = pair.file.bodies.size();
+  Array out({poses.count(), bodies, std::size_t{6}});
+  double* place = out.mutable_data();
+  for (std::size_t first = 0; first < poses.count(); first += between_signals) {
+    {
+      const py::gil_scoped_release others_run;
+      fill(pair, poses, first, std::min(poses.count(), first + between_signals), place + first * bodies * 6);
+    }
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+  return out;
+}
+
+}  // namespace
+
+void bind_force(py::module_& module) {
+  py::class_<Pair>(module, "Pair")
+      .def_static("load", &loaded_pair, py::arg("path"))
+      .def_static("parse", &pair_of, py::arg("text"), py::arg("origin"))
+      .def_property_readonly("names", [](const Pair& self) { return py::tuple(py::cast(self.file.names)); })
+      .def_property_readonly("text", [](const Pair& self) { return self.text; })
+      .def_property_readonly("origin", [](const Pair& self) { return self.origin; });
+  module.def("force", &force, py::arg("pair"), py::arg("positions_mm"), py::arg("axes"));
+}
+
+}  // namespace coilwright::python

@@ -1,0 +1,115 @@
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "coilwright/formats/simulation/commanded_input_file.hpp"
+#include "coilwright/formats/simulation/motion_table.hpp"
+#include "coilwright/simulation/initial_state.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "python/actuator.hpp"
+#include "python/bindings.hpp"
+#include "python/interruptible.hpp"
+
+namespace coilwright::python {
+namespace {
+
+namespace py = pybind11;
+using simulation::CommandedInput;
+using simulation::ModelInput;
+using simulation::State;
+
+// A command, and whether it is a step, which begins without current; every other one begins at rest under its first
+// sample.
+struct Command {
+  CommandedInput input;
+  bool is_step{};
+};
+
+struct Motion {
+  std::vector<std::string> columns;
+  py::array_t<double> rows;  // (samples, columns)
+};
+
+Command step(double current, double duration, double interval) {
+  return {.input = simulation::step_command({.current = current, .duration = duration, .interval = interval}),
+          .is_step = true};
+}
+
+Command sine(const std::array<double, 3>& shape, double duration, double interval) {
+  return {.input = simulation::sine_command({.amplitude = shape[0],
+                                             .offset = shape[1],
+                                             .frequency = shape[2],
+                                             .duration = duration,
+                                             .interval = interval})};
+}
+
+// Arrays come as the text of a table, so that one reader checks columns and units, wherever they are from.
+Command table(const std::string& text, const std::string& origin, std::optional<double> interval) {
+  CommandedInput input = formats::parse_commanded_input(text, origin);
+  return {.input = interval ? simulation::sampled_at_least_every(input, *interval) : std::move(input)};
+}
+
+State start_of(const actuator::Model& model, const ModelInput& input, bool is_step) {
+  const std::optional<State> start =
+      is_step ? simulation::state_at_rest(model, model.all_coils(0.0), mechanics::JointVector::Zero(model.joints()))
+              : simulation::equilibrium_at_first_input(model, input);
+  if (!start) throw std::runtime_error("has no stable pose under the first input to start from");
+  return *start;
+}
+
+struct Stopped {};
+
+simulation::RecordedMotion record(const actuator::Model& model, const Command& command, const std::stop_token& stop) {
+  const ModelInput input = simulation::model_input(model, command.input);
+  const auto heed_stop = [&](double) {
+    if (stop.stop_requested()) throw Stopped{};
+  };
+  return simulation::record_motion(model, input, start_of(model, input, command.is_step), {.progress = heed_stop});
+}
+
+py::array_t<double> rows_of(const Command& command, const simulation::RecordedMotion& motion, std::size_t columns) {
+  py::array_t<double> out({motion.states.size(), columns});
+  for (std::size_t i = 0; i < motion.states.size(); ++i) {
+    const std::vector<double> row = formats::motion_row(command.input, motion, i);
+    std::copy(row.begin(), row.end(), out.mutable_data(static_cast<py::ssize_t>(i), 0));
+  }
+  return out;
+}
+
+Motion simulate(const Actuator& actuator, const Command& command) {
+  const actuator::Model model = actuator.model();
+  try {
+    const simulation::RecordedMotion motion =
+        interruptible([&](const std::stop_token& stop) { return record(model, command, stop); });
+    std::vector<std::string> columns = formats::columns_of_motion(command.input, model.joints());
+    py::array_t<double> rows = rows_of(command, motion, columns.size());
+    return {.columns = std::move(columns), .rows = std::move(rows)};
+  } catch (const std::invalid_argument& misfit) {
+    throw text::InputError({.file = actuator.origin, .rule = misfit.what()});
+  }
+}
+
+}  // namespace
+
+void bind_motion(py::module_& module) {
+  py::class_<Command>(module, "Command")
+      .def_static("step", &step, py::arg("current"), py::arg("duration"), py::arg("interval"))
+      .def_static("sine", &sine, py::arg("shape"), py::arg("duration"), py::arg("interval"))
+      .def_static("table", &table, py::arg("text"), py::arg("origin"), py::arg("interval"));
+  module.def(
+      "simulate",
+      [](const Actuator& actuator, const Command& command) {
+        Motion motion = simulate(actuator, command);
+        return py::make_tuple(std::move(motion.columns), std::move(motion.rows));
+      },
+      py::arg("actuator"), py::arg("command"));
+}
+
+}  // namespace coilwright::python

@@ -14,7 +14,7 @@ declare -A programs=(
   [systems]="systems_tests truth_tests exports_tests"
   [sizing]="sizing_tests archive_tests"
   [measurement]="measurement_tests experiment_tests attribution_tests"
-  [pages]="report_tests report_simulation_tests page_tests cli_tests"
+  [pages]="report_tests report_simulation_tests page_tests results_tests cli_tests"
 )
 groups=(readers physics actuator systems sizing measurement pages threads)  # threads: search and fit, another sanitizer
 

@@ -9,6 +9,10 @@ import coilwright as cw
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
+def pytest_configure(config):
+    config.addinivalue_line("markers", "long: half a minute or more; `scripts/test.sh` leaves it out but for --long")
+
+
 @pytest.fixture
 def finger() -> cw.Actuator:
     return cw.Actuator.load(ROOT / "configs/actuators/paper_finger.json")

@@ -54,6 +54,16 @@ def test_records_are_saved_as_a_data_set_that_the_program_reads(tmp_path, finger
                           ["push.csv"]["bending_angle_deg"], 30 * time)
 
 
+@pytest.mark.long
+def test_diagnose_writes_the_bytes_of_the_program(program, tmp_path):
+    program("diagnose", FOLDER, "--out", tmp_path / "there", "--quiet")
+    cw.diagnose(FOLDER).write(tmp_path / "here")
+    names = sorted(file.name for file in (tmp_path / "there").iterdir())
+    assert sorted(file.name for file in (tmp_path / "here").iterdir()) == names and "diagnosis.json" in names
+    for name in names:
+        assert (tmp_path / "here" / name).read_bytes() == (tmp_path / "there" / name).read_bytes(), name
+
+
 def swing(model, seed):
     """A pendulum under torques, with noise."""
     time = np.arange(0, 0.6, 0.005)
@@ -64,6 +74,7 @@ def swing(model, seed):
     return {**columns, "theta1_deg": motion["theta1_deg"] + noise}
 
 
+@pytest.mark.long
 def test_an_effect_written_in_python_is_found_like_ours():
     stiffening = cw.Effect(
         "stiffening", stage="hinge", description="silicone that stiffens in one direction",

@@ -21,7 +21,7 @@ def test_every_quantity_of_the_table_is_an_attribute_with_its_unit_in_the_stub(f
     rows = json.loads(program("list", "quantities", "--json"))
     names = [row["key"] for row in rows if row["of"] == "evaluate"]
     with open("src/python/coilwright/_quantities.pyi", encoding="utf-8") as file:
-        listed = [line.split("def ")[1].split("(")[0] for line in file if "def " in line]
+        listed = [line.strip().removesuffix(": float") for line in file if line.endswith(": float\n")]
     assert listed == names
     values = cw.evaluate(finger, current=1.0).to_dict()
     for name in names:

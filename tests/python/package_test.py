@@ -14,7 +14,8 @@ EXAMPLES = {
 }
 
 
-@pytest.mark.parametrize("name", EXAMPLES)
+@pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.long) if "camera" in name else name
+                                  for name in EXAMPLES])
 def test_an_example_prints_what_it_is_about(name, capsys):
     runpy.run_path(f"examples/python/{name}.py", run_name="__main__")
     assert EXAMPLES[name] in capsys.readouterr().out

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import html
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple, Optional
 
 from coilwright import _core
 from coilwright._actuator import Actuator, Path
+from coilwright._effects import Effect
 from coilwright._study import Study
 from coilwright._tables import Table
 
@@ -42,7 +44,53 @@ def _words(seed: Optional[int], max_evaluations: Optional[int], algorithm: Optio
     return _core.SearchWords(seed, max_evaluations, algorithm, threads, None if progress is None else told)
 
 
-class Sized:
+class _Answer:
+    """What all answers of a study can do."""
+
+    _core: Any
+
+    def to_dict(self) -> dict[str, Any]:
+        """The content of result.json."""
+        content: dict[str, Any] = self._core.to_dict()
+        return content
+
+    @property
+    def text(self) -> str:
+        """What the program prints."""
+        return str(self._core.text)
+
+    def write(self, folder: Path) -> None:
+        """Writes the files of the program into a folder, all or none: the same bytes, without archive and provenance.
+        Raises OutputError."""
+        self._core.write(os.fspath(folder))
+
+    def __str__(self) -> str:
+        return self.text
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{html.escape(self.text)}</pre>"
+
+
+class _Designs(_Answer):
+    """Designs of an answer as actuators, by index."""
+
+    def __len__(self) -> int:
+        return len(self._core)
+
+    def __getitem__(self, index: int) -> Actuator:
+        if not -len(self) <= index < len(self):
+            raise IndexError(f"design {index} of {len(self)}")
+        return Actuator(self._core.actuator(index % len(self)))
+
+    def __iter__(self) -> Iterator[Actuator]:
+        return (self[i] for i in range(len(self)))
+
+    def table(self) -> Table:
+        """A row a design, in their order: front.csv or designs.csv."""
+        return Table(self._core.table())
+
+
+class Sized(_Answer):
     """What `size` found.
 
     >>> import coilwright as cw
@@ -54,13 +102,14 @@ class Sized:
     (30,)
     """
 
-    def __init__(self, core: _core.SizeAnswer) -> None:
+    def __init__(self, core: _core.SizeAnswer, effects: Sequence[Effect]) -> None:
         self._core = core
+        self._effects = tuple(effects)
 
     @property
     def feasible(self) -> bool:
         """Whether the design keeps every limit; otherwise it is the least infeasible one."""
-        return self._core.feasible
+        return bool(self._core.feasible)
 
     @property
     def best(self) -> Actuator:
@@ -68,35 +117,14 @@ class Sized:
         text = self._core.best()
         if text is None:
             raise ValueError("the search ended before its first evaluation")
-        return Actuator._parse(text, "actuator.json", ())
-
-    def to_dict(self) -> dict[str, Any]:
-        """The content of result.json."""
-        content: dict[str, Any] = self._core.to_dict()
-        return content
+        return Actuator._parse(text, "actuator.json", self._effects)
 
     def evaluations(self) -> Table:
         """Every design that was evaluated: evaluations.csv."""
         return Table(self._core.evaluations())
 
-    @property
-    def text(self) -> str:
-        """What the program prints: the best design, what limits it, and what it rests on."""
-        return self._core.text
 
-    def write(self, folder: Path) -> None:
-        """Writes result.json, actuator.json, evaluations.csv and convergence.csv, all or none, as the program does: the
-        same bytes. Raises OutputError."""
-        self._core.write(os.fspath(folder))
-
-    def __str__(self) -> str:
-        return self.text
-
-    def _repr_html_(self) -> str:
-        return _preformatted(self.text)
-
-
-class Front:
+class Front(_Designs):
     """What `pareto` found: the designs that no other one beats, as actuators, by index.
 
     >>> import coilwright as cw
@@ -112,50 +140,17 @@ class Front:
         self._core = core
         self._objectives = objectives
 
-    def __len__(self) -> int:
-        return len(self._core)
-
-    def __getitem__(self, index: int) -> Actuator:
-        return Actuator(self._core.actuator(_place(index, len(self))))
-
-    def __iter__(self) -> Iterator[Actuator]:
-        return (self[i] for i in range(len(self)))
-
-    def table(self) -> Table:
-        """A row a design: front.csv."""
-        return Table(self._core.table())
-
     def evaluations(self) -> Table:
         """Every design that was evaluated: evaluations.csv."""
         return Table(self._core.evaluations())
-
-    def to_dict(self) -> dict[str, Any]:
-        """The content of result.json."""
-        content: dict[str, Any] = self._core.to_dict()
-        return content
-
-    @property
-    def text(self) -> str:
-        """What the program prints."""
-        return self._core.text
-
-    def write(self, folder: Path) -> None:
-        """Writes front.csv, evaluations.csv, convergence.csv and result.json: the bytes of the program."""
-        self._core.write(os.fspath(folder))
 
     def plot(self, axes: Any = None) -> Any:
         """The front in its first two objectives, where matplotlib is installed; gives the axes."""
         from coilwright import _plots
         return _plots.table(self.table(), self._objectives[0], self._objectives[1], axes)
 
-    def __str__(self) -> str:
-        return self.text
 
-    def _repr_html_(self) -> str:
-        return _preformatted(self.text)
-
-
-class Swept:
+class Swept(_Designs):
     """What `sweep` found: every design as an actuator, by index; all of them in memory.
 
     >>> import coilwright as cw
@@ -167,40 +162,10 @@ class Swept:
     def __init__(self, core: _core.SweepAnswer) -> None:
         self._core = core
 
-    def __len__(self) -> int:
-        return len(self._core)
-
-    def __getitem__(self, index: int) -> Actuator:
-        return Actuator(self._core.actuator(_place(index, len(self))))
-
-    def __iter__(self) -> Iterator[Actuator]:
-        return (self[i] for i in range(len(self)))
-
-    def table(self) -> Table:
-        """A row a design: designs.csv."""
-        return Table(self._core.table())
-
-    def to_dict(self) -> dict[str, Any]:
-        """The content of result.json: the leaders and the counts."""
-        content: dict[str, Any] = self._core.to_dict()
-        return content
-
-    @property
-    def text(self) -> str:
-        """What the program prints."""
-        return self._core.text
-
-    def write(self, folder: Path) -> None:
-        """Writes designs.csv, best.csv and result.json: the bytes of the program."""
-        self._core.write(os.fspath(folder))
-
     def plot(self, x: str, y: str, axes: Any = None) -> Any:
         """Two columns of the table against each other, where matplotlib is installed; gives the axes."""
         from coilwright import _plots
         return _plots.table(self.table(), x, y, axes)
-
-    def __str__(self) -> str:
-        return self.text
 
 
 def size(study: Study, *, seed: Optional[int] = None, max_evaluations: Optional[int] = None,
@@ -219,7 +184,8 @@ def size(study: Study, *, seed: Optional[int] = None, max_evaluations: Optional[
     >>> seen[-1].evaluations
     30
     """
-    return Sized(_core.size(study._core, _words(seed, max_evaluations, algorithm, threads, progress), answer_only))
+    words = _words(seed, max_evaluations, algorithm, threads, progress)
+    return Sized(_core.size(study._core, words, answer_only), study._effects)
 
 
 def pareto(study: Study, *, seed: Optional[int] = None, max_evaluations: Optional[int] = None,
@@ -246,14 +212,3 @@ def sweep(study: Study, *, sample: int = 0, sampling: str = "latin_hypercube", s
         raise ValueError(f"sampling: must be 'latin_hypercube' or 'random'; got {sampling!r}")
     words = _words(seed, None, None, threads, None)
     return Swept(_core.sweep(study._core, words, sample, sampling == "latin_hypercube"))
-
-
-def _place(index: int, count: int) -> int:
-    if not -count <= index < count:
-        raise IndexError(f"design {index} of {count}")
-    return index % count
-
-
-def _preformatted(text: str) -> str:
-    import html
-    return f"<pre>{html.escape(text)}</pre>"

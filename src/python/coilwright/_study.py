@@ -45,6 +45,7 @@ class Study:
 
     def __init__(self, text: str, origin: str, actuator: Optional[Actuator], changes: Sequence[str],
                  quantities: Sequence[Quantity], effects: Sequence[Effect]) -> None:
+        self._effects = tuple(effects)
         self._made_of = (text, origin, actuator, tuple(changes), tuple(quantities), tuple(effects))
         self._core = _core.Study.parse(text, origin, None if actuator is None else actuator._core, list(changes),
                                        [_row(each) for each in quantities], catalogue(effects))

@@ -47,6 +47,11 @@ def test_a_runaway_raises_with_its_reason(finger):
         hot.coil_hot_spot_degC
 
 
+def test_a_path_in_place_of_an_actuator_is_told():
+    with pytest.raises(TypeError, match="actuator: must be a coilwright.Actuator, as Actuator.load gives; got 'finger.json'"):
+        cw.evaluate("finger.json", current=1)
+
+
 def test_numpy_numbers_are_numbers(finger):
     assert cw.evaluate(finger, current=np.float64(1.4)).mass_g == cw.evaluate(finger, current=1.4).mass_g
 

@@ -124,3 +124,10 @@ class Actuator:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Actuator._parse, (self._core.text, self._core.origin, self._effects)
+
+
+def core_of(actuator: object) -> _core.Actuator:
+    """What C++ has of an actuator. Raises TypeError for anything else, as the path of one."""
+    if not isinstance(actuator, Actuator):
+        raise TypeError(f"actuator: must be a coilwright.Actuator, as Actuator.load gives; got {actuator!r}")
+    return actuator._core

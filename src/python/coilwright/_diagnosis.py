@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple, Optional, Union
 
 from coilwright import _core
-from coilwright._actuator import Actuator, Path
+from coilwright._actuator import Actuator, Path, core_of
 from coilwright._effects import Effect, catalogue
 from coilwright._errors import InputError
 from coilwright._tables import Columns, Table, csv_text
@@ -194,6 +194,8 @@ def diagnose(records: Union[Records, Path], actuator: Union[Actuator, Path, None
     ...     print(error)
     configs/dataset.json: cannot be opened: No such file or directory
     """
+    if isinstance(records, Records) and actuator is None:
+        raise ValueError("actuator: must be given with records in memory, which lie in no folder to name one from")
     with tempfile.TemporaryDirectory() as work:
         folder = pathlib.Path(work) / "records"
         if isinstance(records, Records):
@@ -247,7 +249,7 @@ def plan(experiment: Union[Mapping[str, Any], Path], actuator: Actuator, *,
     ...     error.file
     'experiment'
     """
-    return Plan(*_core.plan(_planned(experiment, noise), actuator._core, list(calibrate), exact, seed, threads))
+    return Plan(*_core.plan(_planned(experiment, noise), core_of(actuator), list(calibrate), exact, seed, threads))
 
 
 def twin(actuator: Actuator, experiment: Union[Mapping[str, Any], Path], hidden: Hidden = {}, *,
@@ -264,7 +266,7 @@ def twin(actuator: Actuator, experiment: Union[Mapping[str, Any], Path], hidden:
     """
     words = [f"{id}:{','.join(f'{key}={float(value)!r}' for key, value in numbers.items())}".rstrip(":")
              for id, numbers in hidden.items()]
-    return Records(*_core.twin(actuator._core, _planned(experiment, noise), words, seed))
+    return Records(*_core.twin(core_of(actuator), _planned(experiment, noise), words, seed))
 
 
 def _planned(experiment: Union[Mapping[str, Any], Path], noise: Mapping[str, float]) -> _core.Planned:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coilwright import _core
-from coilwright._actuator import Actuator, Path
+from coilwright._actuator import Actuator, Path, core_of
 from coilwright._tables import Columns, csv_text
 
 
@@ -71,7 +71,7 @@ def simulate(actuator: Actuator, *, step: Optional[float] = None, sine: Optional
     if sum(each is not None for each in (step, sine, input)) != 1:
         raise ValueError("give one of step, sine and input")
     command = _command(step, sine, input, duration, interval)
-    columns, rows = _core.simulate(actuator._core, command)
+    columns, rows = _core.simulate(core_of(actuator), command)
     return Motion(columns, rows, actuator.name)
 
 

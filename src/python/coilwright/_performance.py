@@ -6,7 +6,7 @@ import html
 from typing import Any, Optional
 
 from coilwright import _core
-from coilwright._actuator import Actuator
+from coilwright._actuator import Actuator, core_of
 from coilwright._quantities import Quantities
 
 
@@ -104,6 +104,6 @@ def evaluate(actuator: Actuator, *, current: Optional[float] = None, duty: Optio
         wiring=wiring, supply_resistance=supply_resistance, supply_voltage=supply_voltage).items() if value is not None}
     if wiring not in (None, "parallel", "series"):
         raise ValueError(f"wiring: must be 'parallel' or 'series'; got {wiring!r}")
-    core = _core.evaluate(actuator._core, current, duty, grasp_opening_deg, grasp_height_mm,
+    core = _core.evaluate(core_of(actuator), current, duty, grasp_opening_deg, grasp_height_mm,
                           None if wiring is None else wiring == "series", supply_resistance, supply_voltage)
     return Performance(core, actuator, **asked)

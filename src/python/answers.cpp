@@ -99,7 +99,7 @@ class SizeAnswer {
 std::shared_ptr<SizeAnswer> size(const Study& study, const SearchWords& words, bool answer_only) {
   DesignProblem problem(
       study_with(study, words, answer_only, 1, 1, "must be one for size (pareto takes two or three)"));
-  return interruptible([&](std::stop_token stop) {
+  return interruptible([&](const std::stop_token& stop) {
     sizing::SearchOptions search = problem.study().search;
     search.stop = stop;
     sizing::SearchResult result = sizing::search(problem.problem(), search);
@@ -144,9 +144,9 @@ class Front {
 
 std::shared_ptr<Front> pareto(const Study& study, const SearchWords& words) {
   DesignProblem problem(study_with(study, words, true, 2, 3, "must be two or three for pareto (size takes one)"));
-  return interruptible([&](std::stop_token stop) {
+  return interruptible([&](const std::stop_token& stop) {
     sizing::SearchOptions search = problem.study().search;
-    search.stop = std::move(stop);
+    search.stop = stop;
     sizing::ParetoResult result = sizing::pareto(problem.problem(), search);
     return std::make_shared<Front>(std::move(problem), std::move(result));
   });
@@ -161,8 +161,8 @@ class SweepAnswer {
     count_ = sample_ ? points_.size() : problem_.point_count();
   }
 
-  void run(std::stop_token stop) {
-    sizing::sweep(problem_, {.threads = problem_.study().search.threads, .points = points_, .stop = std::move(stop)},
+  void run(const std::stop_token& stop) {
+    sizing::sweep(problem_, {.threads = problem_.study().search.threads, .points = points_, .stop = stop},
                   [&](const sizing::SweptDesign& design) {
                     leaders_.consider(design);
                     ok_ += sizing::is_feasible(design.evaluation) ? 1 : 0;
@@ -218,8 +218,8 @@ std::shared_ptr<SweepAnswer> sweep(const Study& study, const SearchWords& words,
              .drawn = sample,
              .seed = problem.study().search.seed};
   auto answer = std::make_shared<SweepAnswer>(problem, drawn);
-  return interruptible([&](std::stop_token stop) {
-    answer->run(std::move(stop));
+  return interruptible([&](const std::stop_token& stop) {
+    answer->run(stop);
     return answer;
   });
 }

@@ -92,8 +92,8 @@ py::tuple search(const sizing::Problem& problem, const SearchWords& words) {
   sizing::SearchOptions options = options_of(words, {.afterwards = sizing::Afterwards::nothing});
   const bool several = problem.objectives.size() > 1;
   const auto found =
-      interruptible([&](std::stop_token stop) -> std::variant<sizing::SearchResult, sizing::ParetoResult> {
-        options.stop = std::move(stop);
+      interruptible([&](const std::stop_token& stop) -> std::variant<sizing::SearchResult, sizing::ParetoResult> {
+        options.stop = stop;
         if (several) return sizing::pareto(problem, options);
         return sizing::search(problem, options);
       });

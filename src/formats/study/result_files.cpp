@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <variant>
 
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/study/design_tables.hpp"
@@ -16,6 +18,13 @@ namespace coilwright::formats {
 namespace {
 
 using sizing::EvaluatedDesign;
+
+// Effects of a program's own are read back by that program alone.
+bool has_standard_effects(const actuator::Design& design) {
+  return std::ranges::all_of(design.effects, [](const actuator::Effect& effect) {
+    return actuator::standard_effects().find(effect.kind->id()) == effect.kind;
+  });
+}
 
 // The answer is checked where it will be used: the text of actuator.json is read back, evaluated at the operating point
 // found, and held against every limit.
@@ -45,7 +54,8 @@ std::string found_design_text(const sizing::DesignProblem& problem, const sizing
   const sizing::Study& study = problem.study();
   std::string text = design_text(problem, result.best.value().point, best,
                                  result.feasible ? study.name : study.name + " (least infeasible)");
-  if (result.feasible) check_written_design(text, study, std::get<EvaluatedDesign>(best));
+  if (result.feasible && has_standard_effects(study.base))
+    check_written_design(text, study, std::get<EvaluatedDesign>(best));
   return text;
 }
 

@@ -124,3 +124,18 @@ def test_other_threads_run_while_a_search_works():
     assert count > before + 5
     done.set()
     thread.join()
+
+
+def test_an_actuator_with_an_effect_of_python_is_sized(finger):
+    softer = cw.Effect("softer", stage="hinge", description="a spring that helps", equation="q += k theta", source="of this test",
+                       numbers=[cw.Number("k", "N m/rad", lower=0.0, upper=1.0, absent=0.0)], starts=[[1e-4]],
+                       torques=lambda k, angles, rates, currents: k[0] * angles)
+    changed = cw.Actuator.from_dict({**finger.to_dict(), "effects": [{"id": "softer", "parameters": {"k": 2e-3}}]},
+                                    effects=[softer])
+    assert cw.evaluate(changed, current=1).steady_angle_deg > cw.evaluate(finger, current=1).steady_angle_deg + 1
+    study = cw.Study.from_dict({"format": "study/1", "name": "own", "operating_point": {"current_A": 1.0},
+                                "variables": {"gap_mm": {"lower": 0.8, "upper": 1.2}},
+                                "objectives": [{"maximise": "steady_angle_deg"}]}, changed, effects=[softer])
+    best = cw.size(study, max_evaluations=5, answer_only=True).best
+    assert best.to_dict()["effects"][0]["id"] == "softer"
+    assert cw.evaluate(best).steady_angle_deg >= cw.evaluate(changed, current=1).steady_angle_deg

@@ -73,8 +73,8 @@ Actuator actuator_at(const DesignProblem& problem, std::span<const double> point
 // What `size` found.
 class SizeAnswer {
  public:
-  SizeAnswer(DesignProblem problem, sizing::SearchResult result, sizing::AfterSearch after)
-      : problem_(std::move(problem)), result_(std::move(result)), after_(std::move(after)) {}
+  SizeAnswer(const DesignProblem& problem, sizing::SearchResult result, sizing::AfterSearch after)
+      : problem_(problem), result_(std::move(result)), after_(std::move(after)) {}
 
   [[nodiscard]] bool feasible() const { return result_.feasible; }
   [[nodiscard]] formats::SizeReport report() const { return formats::size_report(problem_, result_, after_); }
@@ -97,7 +97,7 @@ class SizeAnswer {
 };
 
 std::shared_ptr<SizeAnswer> size(const Study& study, const SearchWords& words, bool answer_only) {
-  DesignProblem problem(
+  const DesignProblem problem(
       study_with(study, words, answer_only, 1, 1, "must be one for size (pareto takes two or three)"));
   return interruptible([&](const std::stop_token& stop) {
     sizing::SearchOptions search = problem.study().search;
@@ -105,14 +105,14 @@ std::shared_ptr<SizeAnswer> size(const Study& study, const SearchWords& words, b
     sizing::SearchResult result = sizing::search(problem.problem(), search);
     sizing::AfterSearch after =
         sizing::after_search(problem, result, {.builds = formats::builds_of_answer, .stop = stop});
-    return std::make_shared<SizeAnswer>(std::move(problem), std::move(result), std::move(after));
+    return std::make_shared<SizeAnswer>(problem, std::move(result), std::move(after));
   });
 }
 
 // What `pareto` found.
 class Front {
  public:
-  Front(DesignProblem problem, sizing::ParetoResult result) : problem_(std::move(problem)), result_(std::move(result)) {
+  Front(const DesignProblem& problem, sizing::ParetoResult result) : problem_(problem), result_(std::move(result)) {
     designs_ = sizing::evaluated_again(problem_, std::span<const sizing::Record>(result_.front));
     broken_ = sizing::broken_part_limits(problem_.study(), designs_);
   }
@@ -143,20 +143,20 @@ class Front {
 };
 
 std::shared_ptr<Front> pareto(const Study& study, const SearchWords& words) {
-  DesignProblem problem(study_with(study, words, true, 2, 3, "must be two or three for pareto (size takes one)"));
+  const DesignProblem problem(study_with(study, words, true, 2, 3, "must be two or three for pareto (size takes one)"));
   return interruptible([&](const std::stop_token& stop) {
     sizing::SearchOptions search = problem.study().search;
     search.stop = stop;
     sizing::ParetoResult result = sizing::pareto(problem.problem(), search);
-    return std::make_shared<Front>(std::move(problem), std::move(result));
+    return std::make_shared<Front>(problem, std::move(result));
   });
 }
 
 // What `sweep` found: all of its designs, in memory.
 class SweepAnswer {
  public:
-  SweepAnswer(DesignProblem problem, std::optional<sizing::DesignSample> sample)
-      : problem_(std::move(problem)), sample_(sample), leaders_(problem_) {
+  SweepAnswer(const DesignProblem& problem, std::optional<sizing::DesignSample> sample)
+      : problem_(problem), sample_(sample), leaders_(problem_) {
     if (sample_) points_ = sizing::sampled_points(problem_, *sample_);
     count_ = sample_ ? points_.size() : problem_.point_count();
   }

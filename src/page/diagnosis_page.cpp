@@ -39,6 +39,13 @@ std::string fitted_text(const Node& number) {
   return fmt::format("{} {}", below ? "below" : "above", cell_of(*idle_from));
 }
 
+// What is all but certain is not 1.
+std::string probability_text(const Node& number) {
+  if (number.is_null()) return "-";
+  if (number.number() > 0.999) return "more than 0.999";
+  return number.number() < 0.001 ? "less than 0.001" : cell_of(number);
+}
+
 Section effects_section(const Node& diagnosis) {
   Section section{.id = "effects", .title = "What the model lacks"};
   Table table{.header = {"effect", "probability", "number", "value", "95 % interval"}};
@@ -46,7 +53,7 @@ Section effects_section(const Node& diagnosis) {
     const std::string id = member_of(effect, "id").text();
     const auto evidence = effect.find("evidence");
     const auto known = evidence ? evidence->find("probability") : std::nullopt;
-    const std::string probability = known ? cell_of(*known) : "-";
+    const std::string probability = known ? probability_text(*known) : "-";
     bool first = true;
     const std::vector<Node> parameters = member_of(effect, "parameters").members();
     if (parameters.empty()) table.rows.push_back({id, probability, "", "", ""});
@@ -205,9 +212,10 @@ Section candidates_section(const Node& diagnosis) {
     const std::string ids = ids_text(member_of(each, "effects"));
     const Node left = member_of(each, "chi_square");
     const bool is_told = !left.is_null() && samples > 0.0;
-    table.rows.push_back(
-        {fmt::format("{}", table.rows.size() + 1), ids, cell_of(each, "probability"), cell_of(each, "log_evidence"),
-         is_told ? short_number(std::sqrt(left.number() / samples)) : "-", cell_of(each, "probability_of_noise")});
+    table.rows.push_back({fmt::format("{}", table.rows.size() + 1), ids,
+                          probability_text(member_of(each, "probability")), cell_of(each, "log_evidence"),
+                          is_told ? short_number(std::sqrt(left.number() / samples)) : "-",
+                          probability_text(member_of(each, "probability_of_noise"))});
     if (chart.bars.size() >= 15) continue;
     const int again = seen[ids]++;
     if (member_of(each, "probability").is_null()) continue;

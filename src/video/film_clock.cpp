@@ -63,11 +63,13 @@ std::optional<Moment> onset_of(std::span<const AngleSample> samples, double inte
 }
 
 std::optional<Moment> led_lit(const TrackedFilm& film, const FingerMotion& motion, double row) {
-  const auto [low, high] = std::ranges::minmax(film.frames, {}, &Frame::led);
+  // No structured binding: Clang 14 does not let a lambda take one.
+  const auto ends = std::ranges::minmax(film.frames, {}, &Frame::led);
+  const double low = ends.min.led, high = ends.max.led;
   constexpr double least = 25.0;
-  if (high.led - low.led < least) return std::nullopt;
+  if (high - low < least) return std::nullopt;
   const double scale = motion.time_scale;
-  const auto share = [&](const Frame& frame) { return (frame.led - low.led) / (high.led - low.led); };
+  const auto share = [&](const Frame& frame) { return (frame.led - low) / (high - low); };
   const auto lit = std::ranges::find_if(film.frames, [&](const Frame& frame) { return share(frame) > 0.1; });
   if (lit == film.frames.begin()) return std::nullopt;
   const double later = motion.readout.value * (row / film.height - 0.5);

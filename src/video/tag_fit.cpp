@@ -1,6 +1,7 @@
 #include "video/tag_fit.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -14,9 +15,7 @@ namespace {
 // Eight numbers of the homography; light: level, two slopes; contrast; three second moments of the blur, as far as they
 // differ from the template's.
 constexpr int unknowns = 15;
-constexpr int first_light = 8;
 constexpr int contrast = 11;
-constexpr int first_blur = 12;
 using Row = Eigen::Matrix<double, unknowns, 1>;
 using Square = Eigen::Matrix<double, unknowns, unknowns>;
 
@@ -207,11 +206,12 @@ ToTag to_tag(const TagCorners& outline) {
   constexpr std::array<std::array<double, 2>, 4> on_tag{{{-3, -3}, {3, -3}, {3, 3}, {-3, 3}}};
   Eigen::Matrix<double, 8, 8> rows = Eigen::Matrix<double, 8, 8>::Zero();
   Eigen::Matrix<double, 8, 1> right;
-  for (int k = 0; k < 4; ++k) {
-    const double x = outline.corners[k].x();
-    const double y = outline.corners[k].y();
+  for (Eigen::Index k = 0; k < 4; ++k) {
+    const auto corner = static_cast<std::size_t>(k);
+    const double x = outline.corners[corner].x();
+    const double y = outline.corners[corner].y();
     for (Eigen::Index axis = 0; axis < 2; ++axis) {
-      const double to = on_tag[k][axis];
+      const double to = on_tag[corner][static_cast<std::size_t>(axis)];
       rows.row(2 * k + axis).segment<3>(3 * axis) << x, y, 1.0;
       rows.row(2 * k + axis).tail<2>() << -to * x, -to * y;
       right[2 * k + axis] = to;

@@ -34,7 +34,9 @@ class Track(FilmTest):
         self.assertTrue(any(name.startswith("data/step_") and name.endswith(".png") for name in self.files()))
         # diagnose takes it as it is.
         diagnosis = run("diagnose", "data", "--out", "answer", "--quiet", cwd=self.folder)
-        self.assertEqual((diagnosis.returncode, diagnosis.stderr), (0, ""))
+        self.assertEqual(diagnosis.returncode, 0, diagnosis.stderr)
+        # The finger of this film begins at 5 degrees, where the paper's does not rest.
+        self.assertRegex(diagnosis.stderr, r"\Awarning: step.csv: bending_angle_deg begins [^\n]*\n\Z")
 
     def test_the_same_film_gives_the_same_bytes(self):
         self.render("step.mp4", {**SMALL, "duration": 0.3}, STEP)
@@ -43,7 +45,8 @@ class Track(FilmTest):
         self.assertEqual((self.folder / "one/step.csv").read_bytes(), (self.folder / "two/step.csv").read_bytes())
 
     def test_dropped_and_doubled_pictures_leave_gaps_and_keep_their_time(self):
-        self.render("step.mp4", {**SMALL, "filter": "select='not(between(n,30,33))'", "doubled": [40]}, STEP)
+        # Without loss: in a compressed film a doubled picture is not the same to the bit, and counts as one of its own.
+        self.render("step.mp4", {**SMALL, "crf": 0, "filter": "select='not(between(n,30,33))'", "doubled": [40]}, STEP)
         answer = self.track("step.mp4", "--out", "data")
         self.assertGreaterEqual(answer["films"][0]["doubled"], 1)
         times = {round(row["time_s"] * 120) for row in self.numbers("data/step.csv")}

@@ -26,6 +26,8 @@ constexpr double freedom_of_own_estimate = 50.0;
 constexpr double heavy_tail = 4.0;
 // A number that neither records nor priors tell has a volume of so many of its typical changes.
 constexpr double precision_of_nothing = 1e-6;
+// Directions in which numbers do the same are told apart no better than to rounding.
+constexpr double least_mode = 1e-12;
 
 // The residuals of a window with their derivatives: residual | parameters | local numbers.
 struct Block {
@@ -112,9 +114,12 @@ struct Quadratic {
   Eigen::MatrixXd matrix;
 };
 
-// The posterior of the parameters in their coordinates u, about the fit.
+// The posterior of the parameters in their coordinates u, about the fit. Records may know one number a billion times
+// better than a prior knows another: the modes are those of the precision over its diagonal, `units` being one over the
+// roots of that.
 struct Mode {
   Eigen::VectorXd step;
+  Eigen::VectorXd units;
   algebra::SymmetricModes modes;
   double objective{};  // -2 log of likelihood and priors there
 };
@@ -208,15 +213,16 @@ class Weighing {
     const Mode mode = mode_of(sum);
     log_z -= 0.5 * mode.objective;
     for (const double each : mode.modes.values)
-      log_z += 0.5 * (std::log(2.0 * std::numbers::pi) - std::log(std::max(each, precision_of_nothing)));
+      log_z += 0.5 * (std::log(2.0 * std::numbers::pi) - std::log(std::max(each, least_mode)));
+    for (const double unit : mode.units) log_z += std::log(unit);
     WeighedFit out{.log_evidence = log_z, .discrepancy = discrepancy};
     out.values = fitted_.hypothesis.clamped(fitted_.fit.values + priors_.slopes.cwiseProduct(mode.step));
     const Eigen::MatrixXd& vectors = mode.modes.vectors;
-    const Eigen::VectorXd variances = mode.modes.values.cwiseMax(precision_of_nothing).cwiseInverse();
+    const Eigen::VectorXd variances = mode.modes.values.cwiseMax(least_mode).cwiseInverse();
+    const Eigen::VectorXd units = priors_.slopes.cwiseProduct(mode.units);
     for (std::size_t e = 0; e < fitted_.hypothesis.effects().size(); ++e)
       out.first_of_effects.push_back(fitted_.hypothesis.parameters_of(e).first);
-    out.covariance = priors_.slopes.asDiagonal() * vectors * variances.asDiagonal() * vectors.transpose() *
-                     priors_.slopes.asDiagonal();
+    out.covariance = units.asDiagonal() * vectors * variances.asDiagonal() * vectors.transpose() * units.asDiagonal();
     return out;
   }
 
@@ -266,12 +272,16 @@ class Weighing {
       const Pull pull = pull_at(out.step);
       Eigen::MatrixXd precision = matrix;
       precision.diagonal() += pull.weights + priors_.precisions;
-      out.modes = algebra::symmetric_modes(precision);
-      const Eigen::VectorXd inverse = out.modes.values.cwiseMax(precision_of_nothing).cwiseInverse();
+      precision.diagonal().array() += precision_of_nothing;
+      out.units = precision.diagonal().cwiseSqrt().cwiseInverse();
+      out.modes = algebra::symmetric_modes(out.units.asDiagonal() * precision * out.units.asDiagonal());
+      const Eigen::VectorXd inverse = out.modes.values.cwiseMax(least_mode).cwiseInverse();
       // The coordinates of effects have their priors' densities at the fit: only declared numbers are drawn.
       const Eigen::VectorXd downhill = -(gradient + matrix * out.step + pull.weights.cwiseProduct(pull.distances) +
                                          priors_.precisions.cwiseProduct(out.step));
-      const Eigen::VectorXd by = out.modes.vectors * inverse.asDiagonal() * (out.modes.vectors.transpose() * downhill);
+      const Eigen::VectorXd by =
+          out.units.cwiseProduct(out.modes.vectors * inverse.asDiagonal() *
+                                 (out.modes.vectors.transpose() * out.units.cwiseProduct(downhill)));
       out.step += by;
       if (by.cwiseAbs().maxCoeff() < 1e-6) break;
     }

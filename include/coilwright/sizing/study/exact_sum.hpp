@@ -14,7 +14,7 @@ class ExactSum {
   /// The sum that text() gave. Throws std::invalid_argument for another text.
   explicit ExactSum(const std::string& text);
 
-  void add(double value);  ///< finite
+  void add(double value);           ///< finite
   void add(const ExactSum& other);  ///< as if all of its numbers were added
 
   /// The sum as a double, to within one unit of its last digit; infinite beyond the largest double.

@@ -29,6 +29,7 @@ constexpr double near_residual = 0.02;  // of the rms residual: models are not k
 constexpr std::size_t most_near = 3;
 constexpr std::size_t most_hinted = 3;
 
+using compare::are_among;
 using compare::WeighedHypothesis;
 
 // The id of an effect; where it was compared with further numbers too, with how many it is meant to have.
@@ -54,12 +55,6 @@ bool is_near(const WeighedHypothesis& rival, const WeighedHypothesis& reported) 
   return std::sqrt(rival.chi_square / reported.chi_square) < 1.0 + near_residual;
 }
 
-bool has_all(const std::vector<const actuator::EffectKind*>& some, const std::vector<const actuator::EffectKind*>& of) {
-  return std::ranges::all_of(of, [&](const actuator::EffectKind* each) {
-    return std::ranges::any_of(some, [&](const actuator::EffectKind* one) { return one->id() == each->id(); });
-  });
-}
-
 // Whether it is made of reported effects and of those that stand in a set with one: said already.
 bool is_told(const Diagnosis& diagnosis, const WeighedHypothesis& rival, const WeighedHypothesis& reported) {
   return std::ranges::all_of(rival.effects, [&](const actuator::EffectKind* each) {
@@ -76,7 +71,7 @@ std::string near_rivals_text(const Diagnosis& diagnosis) {
   std::size_t count = 0;
   for (const WeighedHypothesis& each : diagnosis.odds.hypotheses) {
     // With more effects than those reported it is no other explanation.
-    if (!is_near(each, *reported) || has_all(each.effects, reported->effects)) continue;
+    if (!is_near(each, *reported) || are_among(reported->effects, each.effects)) continue;
     if (is_told(diagnosis, each, *reported)) continue;
     if (++count > most_near) break;
     text += fmt::format("    {} (residual {}, where what is reported leaves {})\n", hypothesis(diagnosis.odds, each),
@@ -85,7 +80,7 @@ std::string near_rivals_text(const Diagnosis& diagnosis) {
     for (const actuator::EffectKind* kind : each.effects) {
       if (std::ranges::find(reported->effects, kind) != reported->effects.end()) continue;
       // A reported effect with other numbers shows itself as that one does: what it is tells more.
-      const bool is_other_form = has_all(reported->effects, {kind});
+      const bool is_other_form = are_among({kind}, reported->effects);
       const std::string_view line = is_other_form ? kind->description() : kind->check();
       if (!line.empty()) text += fmt::format("      {}\n", line);
     }
@@ -103,7 +98,7 @@ std::string alive_text(const Diagnosis& diagnosis) {
   for (const WeighedHypothesis& each : diagnosis.odds.hypotheses) {
     const bool has_less = each.effects.size() < reported->effects.size();
     if (each.probability < worth_naming || &each == reported) continue;
-    if (!has_less && !has_all(each.effects, reported->effects) && is_told(diagnosis, each, *reported)) continue;
+    if (!has_less && !are_among(reported->effects, each.effects) && is_told(diagnosis, each, *reported)) continue;
     text += fmt::format("    {}, with a probability of {}\n", hypothesis(diagnosis.odds, each),
                         probability_text(each.probability));
   }

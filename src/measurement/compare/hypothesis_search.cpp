@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iterator>
@@ -14,6 +13,7 @@
 #include "coilwright/measurement/compare/decision_thresholds.hpp"
 #include "measurement/compare/hypothesis_extension.hpp"
 #include "measurement/compare/joint_screening.hpp"
+#include "measurement/compare/larger_hypotheses.hpp"
 #include "measurement/compare/level_fits.hpp"
 #include "measurement/compare/linear_screening.hpp"
 #include "measurement/compare/model_error.hpp"
@@ -182,66 +182,19 @@ class HypothesisSearch {
     return all;
   }
 
-  // An answer is there. Larger hypotheses count as impossible unless they are fitted: those that would hold a hundredth
-  // of the answer's weight by what their directions predict are. They add an effect to one of the best, or are the best
-  // combinations of all directions, whose parts need explain nothing alone.
+  // An answer is there: see larger_hypotheses_with_weight.
   void fit_what_may_hold_weight(const FittedHypothesis& before, const Screened& screened,
                                 std::vector<FittedHypothesis>& all) {
-    if (all.empty()) return;
-    std::vector<const FittedHypothesis*> best{&before};
-    for (const FittedHypothesis& each : all) best.push_back(&each);
-    std::ranges::stable_sort(best, std::ranges::greater{},
-                             [&](const FittedHypothesis* each) { return log_weight(*each); });
-    best.resize(std::min(best.size(), search_effort.extended));
-    const double least = log_weight(*best.front()) + std::log(search_effort.least_weight);
-    std::vector<std::pair<double, PlannedExtension>> promising;
-    const auto consider = [&](const FittedHypothesis& base, const std::vector<Effect>& effects, double fall) {
-      if (base.hypothesis.effects().size() + effects.size() > search_effort.largest_hypothesis) return;
-      if (const double promised = promised_log_weight(base, effects, fall); promised >= least)
-        promising.emplace_back(promised, PlannedExtension{.base = &base, .starts = {effects}});
-    };
-    for (const FittedHypothesis* base : best)
-      if (base != &before)
-        for (const ScreenedEffect& each : screen(*base)) consider(*base, {each.effect}, each.predicted_chi_square_fall);
-    const std::size_t size = std::max<std::size_t>(2, best.front()->hypothesis.effects().size());
-    for (const ScreenedCombination& each :
-         combinations_by_predicted_fall(before, screened, size, search_effort.combinations))
-      consider(before, each.effects, each.predicted_chi_square_fall);
-    std::ranges::stable_sort(promising, std::ranges::greater{}, &std::pair<double, PlannedExtension>::first);
-    std::vector<PlannedExtension> planned;
-    for (auto& each : promising) planned.push_back(std::move(each.second));
-    planned = without_repetitions(std::move(planned));
-    std::erase_if(planned, [&](const PlannedExtension& each) { return is_among(all, each.kinds()); });
-    planned.resize(std::min(planned.size(), search_effort.combinations));
+    const std::vector<PlannedExtension> planned = larger_hypotheses_with_weight(
+        {.before = before,
+         .all = all,
+         .screened = screened,
+         .screen = [this](const FittedHypothesis& base) { return screen(base); },
+         .weight = {.kinds = kinds_, .beliefs = request_.beliefs, .overdispersion = overdispersion_}});
     if (planned.empty()) return;
     report(fmt::format("{} larger hypotheses may hold weight", planned.size()));
     HypothesesOfSize fitted = best_of(planned, planned.size());
     all.insert(all.end(), std::make_move_iterator(fitted.begin()), std::make_move_iterator(fitted.end()));
-  }
-
-  [[nodiscard]] static bool is_among(const std::vector<FittedHypothesis>& all,
-                                     const std::vector<const EffectKind*>& kinds) {
-    return std::ranges::any_of(
-        all, [&](const FittedHypothesis& each) { return std::ranges::is_permutation(each.kinds(), kinds); });
-  }
-
-  // By Schwarz's approximation of the evidence, up to a constant.
-  [[nodiscard]] double log_weight(const FittedHypothesis& fitted) const {
-    return log_prior(fitted.kinds(), kinds_, request_.beliefs) - 0.5 * quasi_bic(fitted, overdispersion_);
-  }
-
-  // The same of a hypothesis with further effects, whose chi-square falls by so much.
-  [[nodiscard]] double promised_log_weight(const FittedHypothesis& base, const std::vector<Effect>& effects,
-                                           double fall) const {
-    std::vector<const EffectKind*> kinds = base.kinds();
-    double numbers = 0.0;
-    for (const Effect& each : effects) {
-      kinds.push_back(each.kind);
-      numbers += static_cast<double>(std::max<std::size_t>(1, each.values.size()));
-    }
-    return log_prior(kinds, kinds_, request_.beliefs) -
-           0.5 * (quasi_bic(base, overdispersion_) - fall / overdispersion_ +
-                  numbers * penalty_per_number(base, overdispersion_));
   }
 
   void sort(HypothesesOfSize& level) const {

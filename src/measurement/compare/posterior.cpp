@@ -23,7 +23,20 @@ double log_binomial(std::size_t of, std::size_t taken) {
   return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0);
 }
 
+// What are weights becomes probabilities.
+void add_up_to_one(Posterior& posterior) {
+  double sum = 0.0;
+  for (const WeighedHypothesis& each : posterior.hypotheses) sum += each.probability;
+  for (WeighedHypothesis& each : posterior.hypotheses) each.probability /= sum;
+}
+
 }  // namespace
+
+bool are_among(const std::vector<const EffectKind*>& some, const std::vector<const EffectKind*>& of) {
+  return std::ranges::all_of(some, [&](const EffectKind* each) {
+    return std::ranges::any_of(of, [&](const EffectKind* one) { return one->id() == each->id(); });
+  });
+}
 
 std::vector<std::string_view> ids_of(const std::vector<const EffectKind*>& effects) {
   std::vector<std::string_view> out;
@@ -85,19 +98,18 @@ WeighedHypotheses posterior_of(std::span<const replay::PreparedRun> runs, const 
       *known = i;
   }
   std::ranges::stable_sort(best, std::ranges::greater{}, log_weight);
-  double sum = 0.0;
-  for (const std::size_t i : best) sum += std::exp(log_weight(i) - log_weight(best.front()));
   WeighedHypotheses out{.posterior = {}, .weighed = {}, .fits = best};
   for (const std::size_t i : best) {
     out.posterior.hypotheses.push_back({.effects = fit_of(i).kinds(),
                                         .chi_square = fit_of(i).fit.chi_square,
                                         .log_evidence = all[i].log_evidence - all.front().log_evidence,
-                                        .probability = std::exp(log_weight(i) - log_weight(best.front())) / sum,
+                                        .probability = std::exp(log_weight(i) - log_weight(best.front())),
                                         .lacks = all[i].discrepancy.deviation,
                                         .lacks_over = all[i].discrepancy.length,
                                         .probability_of_noise = all[i].probability_of_noise});
     out.weighed.push_back(std::move(all[i]));
   }
+  add_up_to_one(out.posterior);
   return out;
 }
 
@@ -122,9 +134,9 @@ Posterior first_impressions(const FittedHypothesis& declared, const std::vector<
   };
   std::ranges::stable_sort(out.hypotheses, std::ranges::greater{}, log_weight);
   const double most = log_weight(out.hypotheses.front());
-  double sum = 0.0;
-  for (WeighedHypothesis& each : out.hypotheses) sum += each.probability = std::exp(log_weight(each) - most);
-  for (WeighedHypothesis& each : out.hypotheses) each.probability = fits.empty() ? unknown : each.probability / sum;
+  for (WeighedHypothesis& each : out.hypotheses) each.probability = std::exp(log_weight(each) - most);
+  add_up_to_one(out);
+  if (fits.empty()) out.hypotheses.front().probability = unknown;
   return out;
 }
 

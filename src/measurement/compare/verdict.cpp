@@ -14,12 +14,7 @@ double least_probability(double cost) {
 }
 
 bool has(const Kinds& effects, const EffectKind* one) {
-  return std::ranges::any_of(effects, [&](const EffectKind* each) { return each->id() == one->id(); });
-}
-
-// Whether all of `some` are among `of`.
-bool are_among(const Kinds& some, const Kinds& of) {
-  return std::ranges::all_of(some, [&](const EffectKind* each) { return has(of, each); });
+  return are_among({one}, effects);
 }
 
 Kinds without(Kinds effects, std::size_t place) {

@@ -14,7 +14,7 @@ namespace coilwright::measurement::compare {
 struct WeighedFit {
   double log_evidence{};          ///< natural logarithm, up to a constant of the records and the declared model
   Discrepancy discrepancy{};      ///< the most probable one
-  double probability_of_noise{};  ///< that what is missing is below Discrepancy's `negligible` of the noise
+  double probability_of_noise{};  ///< that what is missing is below a tenth of the noise
   Eigen::VectorXd values{};       ///< the most probable parameters, SI; inside their bounds
   Eigen::MatrixXd covariance{};   ///< of them, SI; large where neither records nor priors tell
   std::vector<Eigen::Index> first_of_effects{};  ///< place of the first number of each effect among them

@@ -49,6 +49,10 @@ struct Belief {
   double probability{};  ///< that it is there; above 0, below 1
 };
 
+/// Whether each of `some` is among `of`; an effect with further numbers is the same effect.
+[[nodiscard]] bool are_among(const std::vector<const actuator::EffectKind*>& some,
+                             const std::vector<const actuator::EffectKind*>& of);
+
 /// The ids of effects, sorted: an effect with further numbers is the same effect.
 [[nodiscard]] std::vector<std::string_view> ids_of(const std::vector<const actuator::EffectKind*>& effects);
 

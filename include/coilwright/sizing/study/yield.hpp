@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "coilwright/sizing/study/part.hpp"
+#include "coilwright/sizing/study/sobol_indices.hpp"
 #include "coilwright/sizing/study/spread.hpp"
 #include "coilwright/sizing/study/study.hpp"
 
@@ -34,14 +35,6 @@ struct BuiltQuantity {
 
   /// Whether fewer builds keep the limit than is asked for, beyond the error of the dice.
   [[nodiscard]] bool falls_short() const { return keeps && asked && keeps->high < *asked; }
-};
-
-/// What share of a quantity's variance a scatter has, with its 95 % interval by bootstrap: by itself, and with all that
-/// it does together with others (Saltelli et al., Computer Physics Communications 181 (2010) 259, with Jansen's sums).
-struct SobolIndex {
-  double value{};
-  double low{};
-  double high{};
 };
 
 /// What one scatter of the spread, or those that move together, does to each quantity and to the yield.
@@ -105,19 +98,5 @@ struct Build {
 [[nodiscard]] Yield yield_from(const Study& study, const EvaluatedDesign& design, const YieldOptions& options,
                                std::span<const Build> builds);
 ///@}
-
-/// Values of one output at Saltelli's designs: at A, at B, and for each input at A with that input from B.
-struct SaltelliValues {
-  std::vector<double> a, b;
-  std::vector<std::vector<double>> mixed;  ///< by input
-};
-
-/// Sobol's indices of every input.
-struct SobolIndices {
-  std::vector<SobolIndex> first, total;  ///< by input
-};
-/// Their estimates, with intervals from 400 resamples of the rows by `seed`; nothing where the output does not vary.
-/// Exposed for tests against closed forms.
-[[nodiscard]] std::optional<SobolIndices> sobol_indices(const SaltelliValues& values, std::uint64_t seed);
 
 }  // namespace coilwright::sizing

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace coilwright::sizing {
+
+/// What share of a quantity's variance a scatter has, with its 95 % interval by bootstrap: by itself, and with all that
+/// it does together with others (Saltelli et al., Computer Physics Communications 181 (2010) 259, with Jansen's sums).
+struct SobolIndex {
+  double value{};
+  double low{};
+  double high{};
+};
+
+/// Values of one output at Saltelli's designs: at A, at B, and for each input at A with that input from B.
+struct SaltelliValues {
+  std::vector<double> a, b;
+  std::vector<std::vector<double>> mixed;  ///< by input
+};
+
+/// Sobol's indices of every input.
+struct SobolIndices {
+  std::vector<SobolIndex> first, total;  ///< by input
+};
+/// Their estimates, with intervals from 400 resamples of the rows by `seed`; nothing where the output does not vary.
+[[nodiscard]] std::optional<SobolIndices> sobol_indices(const SaltelliValues& values, std::uint64_t seed);
+
+}  // namespace coilwright::sizing

@@ -13,7 +13,7 @@ import sys
 import unittest
 
 import engine
-from archived_runs import results_of, start, stop_with_designs
+from archived_runs import end, results_of, start, stop_with_designs
 from diagnose_test import PLAN, ROD
 from program import ProgramTest, run
 from study import FRONT, GRID, write_study
@@ -145,9 +145,10 @@ class Sweeps(InParts):
         self.assertEqual(result.returncode, 1)
 
     def test_a_killed_part_goes_on(self):
-        write_study(self, variables={**GRID, "gap_mm": {"lower": 0.7, "upper": 1.6, "step": 0.02}})
+        write_study(self, variables={**GRID, "gap_mm": {"lower": 0.7, "upper": 1.6, "step": 0.002}})  # seconds: it must not end before it is killed
         self.ok("sweep", "study.json", "--out", "whole", "--quiet")
         process = start("sweep", "study.json", "--part", "2/2", "--out", "part2", "--resume", cwd=self.folder)
+        self.addCleanup(end, process)
         stop_with_designs(self, process, self.folder / "part2", 10)
         process.kill()
         process.communicate()

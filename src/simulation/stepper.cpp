@@ -160,8 +160,8 @@ void Stepper::step() {
     rest_drive();
     approach_drive_end();
   }
-  std::swap(values_, previous_values_);
-  std::swap(slopes_, previous_slopes_);
+  previous_values_ = values_;
+  previous_slopes_ = slopes_;
   previous_time_ = time_;
   const double frequency = contact_changed_ || growth_ || model_.has_terms() ? 0.0 : contact_frequency();
   contact_changed_ = false;

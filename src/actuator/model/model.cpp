@@ -32,6 +32,9 @@ Model::Model(Spec spec) : spec_(std::move(spec)) {
     const auto after_chain = std::ranges::upper_bound(terms_, Stage::chain, {}, &Term::stage);
     terms_.insert(after_chain, Term{.effect = correction_term(*spec_.torque_correction, spec_), .stage = Stage::chain});
   }
+  for (std::size_t stage = 0; stage < stage_begin_.size(); ++stage)
+    stage_begin_[stage] = static_cast<std::size_t>(
+        std::ranges::count_if(terms_, [&](const Term& term) { return static_cast<std::size_t>(term.stage) < stage; }));
   number_states();
 }
 
@@ -64,8 +67,8 @@ bool Model::is_of_a_body(int internal_state) const {
 }
 
 std::span<const Model::Term> Model::terms(Stage first, Stage last) const {
-  const auto begin = std::ranges::lower_bound(terms_, first, {}, &Term::stage);
-  return {begin, std::ranges::upper_bound(begin, terms_.end(), last, {}, &Term::stage)};
+  const std::size_t begin = stage_begin_[static_cast<std::size_t>(first)];
+  return std::span(terms_).subspan(begin, stage_begin_[static_cast<std::size_t>(last) + 1] - begin);
 }
 
 EffectTerm::InternalStateView Model::own(const Term& term, const double* states, double* slopes) const {
@@ -135,9 +138,11 @@ Model Model::with_magnet_strengths(std::span<const double> strengths) const {
 }
 
 CoilCurrents Model::strength(const CoilCurrents& command, const double* states, double* slopes) const {
-  CoilCurrents currents = command;
+  CoilCurrents currents(command.size());  // then assigned: a copy would call memmove for a few bytes
+  currents = command;
   for (const Term& term : terms(Stage::drive, Stage::drive)) term.effect->drive(own(term, states, slopes), currents);
-  CoilCurrents strength = currents;
+  CoilCurrents strength(currents.size());
+  strength = currents;
   for (const Term& term : terms(Stage::magnetics, Stage::magnetics))
     term.effect->magnetize(own(term, states, slopes), currents, strength);
   return strength;
@@ -207,14 +212,14 @@ void Model::derivative(const JointVector& angles, const JointVector& rates, std:
   JointVector torque(joints());
   if (terms_.empty()) {
     stage_torques(angles, rates, command, torque);
-    accelerations = spec_.chain.accelerations(angles, rates, torque + applied);
+    accelerations.noalias() = spec_.chain.accelerations(angles, rates, torque + applied);
     return;
   }
   const EffectTerm::Kinematics motion{.chain = spec_.chain, .angles = angles, .rates = rates, .applied = &applied};
   const CoilCurrents seen = strength(command, internal.data(), internal_slopes.data());
   stage_torques(angles, rates, seen, torque);
   add_term_torques(motion, seen, internal.data(), internal_slopes.data(), torque);
-  accelerations = spec_.chain.accelerations(angles, rates, torque + applied);
+  accelerations.noalias() = spec_.chain.accelerations(angles, rates, torque + applied);
   if (bodies_ > 0) accelerate_bodies(motion, seen, internal.data(), internal_slopes.data(), accelerations);
   if (camera_states_ > 0) (void)shown(angles, rates, internal.data(), internal_slopes.data());
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -175,10 +176,11 @@ class Model {
   void add_term_stiffness(const mechanics::JointVector& angles, const CoilCurrents& command, InitialHistory history,
                           mechanics::JointMatrix& stiffness) const;
 
-  Spec spec_;                            // with the effects built in
-  std::shared_ptr<const Spec> nominal_;  // without; null where there are none
-  std::vector<Term> terms_;
-  std::vector<double> held_;  // states that are held
+  Spec spec_;                                 // with the effects built in
+  std::shared_ptr<const Spec> nominal_;       // without; null where there are none
+  std::vector<Term> terms_;                   // in the order of their stages
+  std::array<std::size_t, 6> stage_begin_{};  // where the terms of each stage begin, and those of the last end
+  std::vector<double> held_;                  // states that are held
   int internal_states_ = 0;
   int drive_states_ = 0;
   int camera_states_ = 0;

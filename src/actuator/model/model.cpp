@@ -138,13 +138,12 @@ Model Model::with_magnet_strengths(std::span<const double> strengths) const {
 }
 
 CoilCurrents Model::strength(const CoilCurrents& command, const double* states, double* slopes) const {
-  CoilCurrents currents(command.size());  // then assigned: a copy would call memmove for a few bytes
-  currents = command;
+  CoilCurrents currents = command;
   for (const Term& term : terms(Stage::drive, Stage::drive)) term.effect->drive(own(term, states, slopes), currents);
-  CoilCurrents strength(currents.size());
-  strength = currents;
-  for (const Term& term : terms(Stage::magnetics, Stage::magnetics))
-    term.effect->magnetize(own(term, states, slopes), currents, strength);
+  const std::span<const Term> magnetics = terms(Stage::magnetics, Stage::magnetics);
+  if (magnetics.empty()) return currents;
+  CoilCurrents strength = currents;
+  for (const Term& term : magnetics) term.effect->magnetize(own(term, states, slopes), currents, strength);
   return strength;
 }
 

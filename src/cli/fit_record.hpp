@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "coilwright/measurement/replay/known_fits.hpp"
+#include "coilwright/results/provenance.hpp"
+#include "coilwright/text/output/folder_lock.hpp"
+
+namespace coilwright::cli {
+
+/// How a diagnosis begins in a folder with the archive of one that was cut short.
+enum class Begin {
+  anew,    ///< it is replaced, unless it is another command's
+  resume,  ///< the run goes on from its fits, if they are of the same question
+  force    ///< whatever archive stands there is replaced
+};
+
+/// The finished fits of a diagnosis in the archive of its folder. Keeps other runs from the folder until unlock().
+struct FitRecord {
+  std::filesystem::path path;
+  std::unique_ptr<text::FolderLock> lock;
+  std::shared_ptr<const measurement::replay::KnownFits> known_fits;
+
+  /// Lets results be written to the folder.
+  void unlock() { lock.reset(); }
+  /// There is an answer: the archive goes, and no fit may use it any more.
+  void remove();
+};
+
+/// `way`: what else decides the fits beside files and seed. Throws text::InputError where the archive that is there may
+/// not be used, text::OutputError (preparing) where it cannot be written.
+[[nodiscard]] FitRecord open_fit_record(const std::filesystem::path& folder, const results::Provenance& question,
+                                        std::string way, Begin begin);
+
+}  // namespace coilwright::cli

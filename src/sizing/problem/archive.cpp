@@ -92,8 +92,8 @@ void Archive::evaluate_together(std::span<const std::vector<double>> points) {
   for (const std::vector<double>& point : points)
     if (!find(point)) fresh.push_back(legal_point(problem.variables, point));
   std::ranges::sort(fresh);
-  const auto twice = std::ranges::unique(fresh);
-  fresh.erase(twice.begin(), twice.end());
+  // Not of std::ranges: Clang 14 does not take it from this standard library.
+  fresh.erase(std::unique(fresh.begin(), fresh.end()), fresh.end());
   if (fresh.empty()) return;
   std::vector<Evaluation> evaluations = problem.evaluate_together(fresh);
   if (evaluations.size() != fresh.size())

@@ -68,8 +68,9 @@ std::vector<SweptDesign> SweepSummary::kept() const {
   std::vector<SweptDesign> out = front_;
   for (const Leader& leader : leaders_.all()) out.push_back(leader.design);
   std::ranges::sort(out, {}, &SweptDesign::index);
-  const auto [twice, end] = std::ranges::unique(out, {}, &SweptDesign::index);
-  out.erase(twice, end);
+  // Not of std::ranges: Clang 14 does not take it from this standard library.
+  const auto is_same = [](const SweptDesign& a, const SweptDesign& b) { return a.index == b.index; };
+  out.erase(std::unique(out.begin(), out.end(), is_same), out.end());
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -97,54 +98,83 @@ void require_options(const CLI::App& command, const std::vector<std::string>& wo
   }
 }
 
+// From here on, and not through links: a name stays as it was given.
+fs::path from_here(const fs::path& given) {
+  return fs::absolute(given).lexically_proximate(fs::current_path());
+}
+
 // Where a file is, whatever links lead to its folder; one that is itself a link keeps its name.
 fs::path placed(const fs::path& file) {
   return fs::canonical(fs::absolute(file).parent_path()) / file.filename();
 }
 
+// A data set lies where its files are, so that what they name from there on is beside them, under the name it was
+// given.
+fs::path placed_set(const fs::path& folder) {
+  const fs::path given = (fs::absolute(folder) / "").lexically_normal().parent_path();
+  return fs::canonical(folder).parent_path() / given.filename();
+}
+
+// A file that parts need, and where they look for it, as if links were not.
+struct NeededFile {
+  fs::path from;
+  fs::path place;
+};
+
+NeededFile needed(const fs::path& file) {
+  return {.from = file, .place = placed(file)};
+}
+
+// A file that another in `folder` names, which lies in `place` for the parts.
+NeededFile needed(const fs::path& file, const fs::path& folder, const fs::path& place) {
+  return {.from = file, .place = (place / file.lexically_relative(folder)).lexically_normal()};
+}
+
 // Files that parts need, copied to one tree in which each finds the others as before.
 class CopiedInputs {
  public:
-  explicit CopiedInputs(std::vector<fs::path> files) : files_(std::move(files)) {
-    for (fs::path& file : files_) file = placed(file);
-    root_ = files_.front().parent_path();
-    for (const fs::path& file : files_)
-      while (*file.lexically_relative(root_).begin() == "..") root_ = root_.parent_path();
+  CopiedInputs(const std::vector<NeededFile>& files, const std::vector<fs::path>& subjects)
+      : root_(subjects.front().parent_path()) {
+    for (const NeededFile& file : files) {
+      while (*file.place.lexically_relative(root_).begin() == "..") root_ = root_.parent_path();
+      const auto [known, is_new] = files_.try_emplace(file.place, file.from);
+      if (!is_new && !fs::equivalent(known->second, file.from))
+        throw text::InputError({.file = file.from.string(),
+                                .rule = fmt::format("would be copied to one place with {}: give sets other names",
+                                                    known->second.string())});
+    }
   }
 
-  [[nodiscard]] std::string name_of(const fs::path& file) const {
-    return (fs::path("inputs") / placed(file).lexically_relative(root_)).string();
+  [[nodiscard]] std::string name_of(const fs::path& place) const {
+    return (fs::path("inputs") / place.lexically_relative(root_)).string();
   }
 
   [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> out;
-    for (const fs::path& file : files_) out.push_back(name_of(file));
-    std::ranges::sort(out);
-    const auto [twice, end] = std::ranges::unique(out);
-    out.erase(twice, end);
+    for (const auto& [place, from] : files_) out.push_back(name_of(place));
     return out;
   }
 
   void copy_to(const fs::path& folder) const {
-    for (const fs::path& file : files_) {
-      const fs::path target = folder / name_of(file);
+    for (const auto& [place, from] : files_) {
+      const fs::path target = folder / name_of(place);
       std::error_code error;
       fs::create_directories(target.parent_path(), error);
-      fs::copy_file(file, target, fs::copy_options::overwrite_existing, error);
+      fs::copy_file(from, target, fs::copy_options::overwrite_existing, error);
       if (error) throw text::OutputError(target, error.message(), text::OutputError::Stage::preparing);
     }
   }
 
  private:
-  std::vector<fs::path> files_;
+  std::map<fs::path, fs::path> files_;  // by their place
   fs::path root_;
 };
 
 // What is to be given away.
 struct Distribution {
   const DividedCommand& command;
-  std::vector<fs::path> files{};     // that parts need
-  std::vector<fs::path> subjects{};  // of each part, or of all: a study with perhaps an actuator, or a data set
+  std::vector<NeededFile> files{};
+  std::vector<fs::path> subjects{};  // places; of each part, or of all: a study with perhaps an actuator, or a data set
   std::size_t parts{};
   formats::Machine head{};
   std::string said{};  // of what a part is
@@ -183,20 +213,24 @@ Distribution distribution_of_a_study(const DistributeOptions& options, const Div
     throw text::argument_error("--as " + std::string(command.name),
                                wanted == 2 ? "needs STUDY.json and ACTUATOR.json" : "needs one STUDY.json");
   if (!options.parts) throw text::argument_error("--parts", "must be given: how many parts the study has");
-  const fs::path study = fs::proximate(options.inputs.front());
+  const fs::path study = from_here(options.inputs.front());
   const text::InputText file = text::read_text(study, text::json_size_limit);
   const formats::StudyFile read = formats::parse_study_file(
       file.text, file.file, {.changes = wanted == 1 ? options.changes : formats::StudyChanges{}});
   require_relative(read.actuator, study, "/actuator");
-  Distribution out{.command = command, .files = {study, read.actuator}, .subjects = {study}, .parts = *options.parts};
+  const fs::path folder = study.parent_path(), place = placed(study).parent_path();
+  Distribution out{.command = command,
+                   .files = {needed(study), needed(read.actuator, folder, place)},
+                   .subjects = {placed(study)},
+                   .parts = *options.parts};
   if (read.posterior) {
     require_relative(*read.posterior, study, "/spread/posterior");
-    out.files.push_back(*read.posterior);
+    out.files.push_back(needed(*read.posterior, folder, place));
   }
   const sizing::DesignProblem problem(read.study);
   if (wanted == 2) {
-    out.files.push_back(options.inputs.back());
-    out.subjects.push_back(options.inputs.back());
+    out.files.push_back(needed(options.inputs.back()));
+    out.subjects.push_back(out.files.back().place);
   } else {
     out.head = this_machine(problem);
   }
@@ -209,14 +243,15 @@ Distribution distribution_of_sets(const DistributeOptions& options, const Divide
   if (options.parts) throw text::argument_error("--parts", "must not be given: each data set is a part");
   if (!options.changes.empty()) throw text::argument_error("--set", "must not be given: a diagnosis has none");
   Distribution out{.command = command, .parts = options.inputs.size(), .head = this_machine()};
-  for (const std::string& folder : options.inputs) {
-    const formats::DatasetFile set = formats::read_dataset(fs::proximate(folder));
+  for (const std::string& given : options.inputs) {
+    const formats::DatasetFile set = formats::read_dataset(from_here(given));
     if (!set.actuator || !fs::exists(*set.actuator))
       throw text::InputError({.file = set.file, .place = "/actuator", .rule = "must name a file that is there"});
     require_relative(*set.actuator, set.file, "/actuator");
-    out.subjects.emplace_back(fs::path(set.file).parent_path());
-    out.files.insert(out.files.end(), {set.file, *set.actuator});
-    out.files.insert(out.files.end(), set.run_files.begin(), set.run_files.end());
+    const fs::path folder = fs::path(set.file).parent_path(), place = placed_set(fs::absolute(folder));
+    out.subjects.push_back(place);
+    for (const fs::path& file : {fs::path(set.file), *set.actuator}) out.files.push_back(needed(file, folder, place));
+    for (const fs::path& file : set.run_files) out.files.push_back(needed(file, folder, place));
   }
   out.said = fmt::format("{} data sets to diagnose", out.parts);
   return out;
@@ -274,7 +309,7 @@ void run_distribute(const DistributeOptions& options, const CLI::App& app) {
   require_new(options);
   const Distribution distribution =
       command.name == "diagnose" ? distribution_of_sets(options, command) : distribution_of_a_study(options, command);
-  const CopiedInputs inputs(distribution.files);
+  const CopiedInputs inputs(distribution.files, distribution.subjects);
   exports::Workflow workflow = workflow_of(options, distribution, inputs);
   text::OutputFolder folder(options.out);
   inputs.copy_to(options.out);

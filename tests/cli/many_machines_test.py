@@ -221,6 +221,35 @@ class OtherRuns(InParts):
         self.assertEqual(part, results_of(work / "alone"))
 
 
+    def test_a_link_keeps_its_name_and_what_lies_beside_what_it_leads_to_is_found(self):
+        self.write("plan.json", json.dumps(PLAN))
+        (self.folder / "store" / "runs").mkdir(parents=True)
+        self.write("store/rod.json", json.dumps(ROD))
+        self.ok("twin", "store/rod.json", "--experiment", "plan.json", "--out", "store/raw")
+        (self.folder / "store" / "raw" / "slow.csv").rename(self.folder / "store" / "runs" / "slow.csv")
+        (self.folder / "store" / "raw" / "slow.csv").symlink_to("../runs/slow.csv")
+        declared = self.result("store/raw/dataset.json")
+        self.write("store/raw/dataset.json", json.dumps({**declared, "actuator": "../rod.json"}))
+        for name in ("monday", "tuesday"):
+            (self.folder / name).symlink_to("store/raw")
+        self.ok("distribute", "monday", "tuesday/", "--as", "diagnose", "--out", "work")
+        told = (self.folder / "work" / "arguments.txt").read_text().splitlines()
+        self.assertEqual([line.split()[1] for line in told], ["inputs/monday", "inputs/tuesday"])
+        self.assertEqual(set(os.listdir(self.folder / "work" / "inputs")), {"monday", "tuesday", "rod.json"})
+        self.assertEqual(run("diagnose", "inputs/monday", "--out", "x", "--minutes", "0.001", cwd=self.folder / "work").returncode, 130)
+        (self.folder / "store" / "monday").mkdir()
+        for file in (self.folder / "store" / "raw").iterdir():
+            shutil.copy(file, self.folder / "store" / "monday")
+        self.assert_refused(["distribute", "monday", "store/monday", "--as", "diagnose", "--out", "other"], "store/monday/dataset.json: would be "
+                            "copied to one place with monday/dataset.json: give sets other names")
+        (self.folder / "sub").mkdir()
+        write_study(self, variables=GRID)
+        (self.folder / "sub" / "mine.json").symlink_to("../study.json")
+        (self.folder / "finger.json").rename(self.folder / "sub" / "finger.json")
+        self.ok("distribute", "sub/mine.json", "--parts", "2", "--out", "grid")
+        self.assertEqual(sorted(os.listdir(self.folder / "grid" / "inputs")), ["finger.json", "mine.json"])
+
+
 class Workflows(InParts):
     def setUp(self):
         super().setUp()

@@ -83,7 +83,7 @@ std::vector<measurement::compare::Belief> read_beliefs(const Node& node) {
 
 Dataset read_runs(const Node& node, const LayoutEntry& layout, const measurement::data::InputUncertainty& usual,
                   std::vector<std::filesystem::path>& files) {
-  std::set<std::filesystem::path> met;
+  std::map<std::filesystem::path, std::filesystem::path> met;
   std::set<std::filesystem::path> input_files;
   std::map<std::string, std::vector<measurement::data::Warning>> warnings;
   std::set<std::string> used;
@@ -103,7 +103,7 @@ Dataset read_runs(const Node& node, const LayoutEntry& layout, const measurement
   }
   for (const auto& [source, place] : layout.named)
     if (!used.contains(source)) throw place.error_without_value("fits no file of the set");
-  files.assign(met.begin(), met.end());
+  for (const auto& [real, named] : met) files.push_back(named);
   files.insert(files.end(), input_files.begin(), input_files.end());
   if (data.fit.empty()) throw node.error_without_value("needs at least one fit run");
   data.warnings = measurement::data::copied_runs(data.fit, validate);

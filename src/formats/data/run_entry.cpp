@@ -104,8 +104,8 @@ std::optional<Node> read_recording(ObjectReader& in, RunEntry& entry,
 
 }  // namespace
 
-RunInSet read_run_in_set(const Node& node, std::set<std::filesystem::path>& met, const CsvLayout& set,
-                         const measurement::data::InputUncertainty& usual) {
+RunInSet read_run_in_set(const Node& node, std::map<std::filesystem::path, std::filesystem::path>& met,
+                         const CsvLayout& set, const measurement::data::InputUncertainty& usual) {
   return read_object(node, [&](ObjectReader& in) {
     const Node file = in.at("file");
     RunEntry entry{.name = file.name()};
@@ -123,7 +123,8 @@ RunInSet read_run_in_set(const Node& node, std::set<std::filesystem::path>& met,
     const auto exposure = read_recording(in, entry, usual);
     std::error_code unreadable;
     const auto path = std::filesystem::weakly_canonical(file.path(), unreadable);
-    if (!met.insert(unreadable ? file.path() : path).second) throw file.error("must not be there twice");
+    if (!met.try_emplace(unreadable ? file.path() : path, file.path()).second)
+      throw file.error("must not be there twice");
     in.finish();  // a mistake in this entry is told before one in its file
     RunInSet out{.file = read_named_table(file, [&](const auto& table) { return read_run(table, entry); }),
                  .validate = validate,

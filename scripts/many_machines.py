@@ -92,6 +92,7 @@ def dispatch_seconds(tasks):
         folder = pathlib.Path(name)
         rules = "".join(f"out/{i}: in\n\tmkdir -p out && cp in out/{i}\n\n" for i in range(tasks))
         (folder / "in").write_text("x")
+        (folder / "makeflow.sh").write_text('exec makeflow "$@" workflow.makeflow\n')
         (folder / "workflow.makeflow").write_text(f"CORES=1\nMEMORY=100\nDISK=10\n{rules}")
         return [seconds / tasks for seconds in workflow_seconds(folder)]
 

@@ -320,12 +320,12 @@ void run_distribute(const DistributeOptions& options, const CLI::App& app) {
   folder.commit("workflow.makeflow");
   if (options.json) {
     const fs::path out = options.out;
-    std::cout << written_json({out / "workflow.makeflow", out / "slurm.sh", out / "parallel.sh"}).text();
+    std::cout << written_json({out / "makeflow.sh", out / "slurm.sh", out / "parallel.sh"}).text();
     return;
   }
   std::cout << fmt::format(
       "{}: {}. In this folder:\n"
-      "  idle machines    makeflow -T wq -p 9123 -r 3 workflow.makeflow\n"
+      "  idle machines    sh makeflow.sh -T wq -p 9123 -r 3\n"
       "                   and on each of them: work_queue_worker HOST_OF_THIS_MACHINE 9123\n"
       "  a Slurm cluster  sbatch --wait slurm.sh && sh merge.sh\n"
       "  this machine     sh parallel.sh\n"
@@ -361,7 +361,7 @@ void add_distribute_command(CLI::App& app, Outcome&) {
   command->footer(
       "The folder gets this program with its libraries, the study's files, and the same workflow for three engines, "
       "of\n"
-      "which one must be installed: workflow.makeflow (Makeflow with Work Queue; also Slurm, SGE, HTCondor), slurm.sh\n"
+      "which one must be installed: makeflow.sh (Makeflow with Work Queue; also Slurm, SGE, HTCondor), slurm.sh\n"
       "(a job array) and parallel.sh (GNU parallel). Each goes on after a crash of a machine, and ends with merge.\n\n"
       "Example:\n"
       "  coilwright distribute configs/studies/configurations.json --parts 4 --out results/distributed");

@@ -53,14 +53,28 @@ exec sh part.sh "$SLURM_ARRAY_TASK_ID"
                      workflow.program, workflow.arguments.size());
 }
 
+// Of whoever gives out the parts of a folder: two at once would give each away twice, and write over each other's log.
+// What a killed one has started (Debian's makeflow: a daemon of Open MPI) ends a moment after it.
+constexpr const char* alone =
+    "exec 9>> parts.lock\n"
+    "flock -w 5 9 || { echo \"$0: another run gives out the parts of this folder: wait for its end\" >&2; exit 1; }\n";
+
+std::string makeflow_script() {
+  return fmt::format(R"(#!/bin/sh
+# Makeflow, one at a time, with the options of this call: -T wq -p 9123 -r 3. Begun again, it makes what is missing.
+{}exec makeflow "$@" workflow.makeflow
+)",
+                     alone);
+}
+
 std::string parallel(const Workflow& workflow) {
   return fmt::format(R"(#!/bin/sh
 # On this machine, as many parts at once as it has cores. Begun again, it makes what is missing.
 set -e
-seq {} | parallel --will-cite --joblog parallel.log --resume-failed sh part.sh
+{}seq {} | parallel --will-cite --joblog parallel.log --resume-failed sh part.sh
 sh merge.sh
 )",
-                     workflow.arguments.size());
+                     alone, workflow.arguments.size());
 }
 
 }  // namespace
@@ -70,6 +84,7 @@ std::vector<WorkflowFile> workflow_files(const Workflow& workflow) {
           {"part.sh", part_script(workflow)},
           {"merge.sh", merge_script(workflow)},
           {"workflow.makeflow", makeflow(workflow)},
+          {"makeflow.sh", makeflow_script()},
           {"slurm.sh", slurm(workflow)},
           {"parallel.sh", parallel(workflow)}};
 }

@@ -45,7 +45,7 @@ class Engine:
     def start_master(self):
         port_file = pathlib.Path(self.places.name) / "port"
         port = ["-p", self.port] if self.port else ["-Z", port_file]
-        master = self.start("makeflow", "-T", "wq", *port, "-r", 3, "workflow.makeflow")
+        master = self.start("sh", "makeflow.sh", "-T", "wq", *port, "-r", 3)
         deadline = time.monotonic() + HANGS
         while not self.port:
             assert master.poll() is None and time.monotonic() < deadline, "the master ended at once"

@@ -4,6 +4,7 @@ also under the real engine with its workers and its master killed.
 COILWRIGHT_KILLS is the number of workflows in which processes are killed (default 3).
 """
 
+import fcntl
 import json
 import os
 import random
@@ -268,6 +269,17 @@ class Workflows(InParts):
         self.write("work/x", "")
         self.assert_refused(["distribute", "study.json", "--parts", "3", *out], "work: cannot be written: it is not empty; --force writes into "
                             "it, another --out keeps it")
+
+    def test_of_two_masters_in_one_folder_the_second_says_so_and_ends(self):
+        work, _ = self.distributed(1)
+        with open(work / "parts.lock", "a") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)  # as the first holds it
+            scripts = ("makeflow.sh", "parallel.sh")
+            second = [subprocess.Popen(["sh", script], cwd=work, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) for script in scripts]
+            for script, process in zip(scripts, second):
+                self.assertEqual(process.communicate(), ("", f"{script}: another run gives out the parts of this folder: wait for its end\n"))
+                self.assertEqual(process.returncode, 1)
+        self.assertFalse((work / "parts").exists())
 
     def distributed(self, parts):
         """A folder of a workflow, and the results of the same run on one machine."""

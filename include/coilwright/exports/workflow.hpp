@@ -22,8 +22,9 @@ struct WorkflowFile {
 };
 
 /// The workflow for engines that are installed already: arguments.txt, part.sh and merge.sh, which all of them call;
-/// workflow.makeflow (Makeflow, with Work Queue on machines without a shared disk, or over Slurm, SGE, HTCondor),
-/// slurm.sh (an array) and parallel.sh (GNU parallel on one machine). Each goes on after a crash.
+/// workflow.makeflow, for makeflow.sh (Makeflow, with Work Queue on machines without a shared disk, or over Slurm, SGE,
+/// HTCondor), slurm.sh (an array) and parallel.sh (GNU parallel on one machine). Each goes on after a crash. Of
+/// makeflow.sh and parallel.sh one runs at a time, and a second one says so.
 [[nodiscard]] std::vector<WorkflowFile> workflow_files(const Workflow& workflow);
 
 /// "0003" of 3: what a folder of a part is called, so that a shell lists them in order.

@@ -7,6 +7,8 @@
 #include <set>
 #include <string>
 
+#include "coilwright/units/plausible.hpp"
+
 namespace coilwright::units {
 namespace {
 
@@ -20,6 +22,18 @@ TEST(Units, AreTheLongestEndOfAName) {
   EXPECT_EQ(split_unit("omega1_deg_s")->unit.suffix, "deg_s");
   EXPECT_EQ(split_unit("stiffness_Nmm_rad")->unit.suffix, "Nmm_rad");
   EXPECT_EQ(split_unit("damping_Nms_rad")->unit.suffix, "Nms_rad");
+}
+
+TEST(Units, OfOneDimensionHaveOneGreatestPlausibleNumber) {
+  EXPECT_DOUBLE_EQ(greatest_plausible(unit("angle_deg")), 3600);
+  EXPECT_DOUBLE_EQ(greatest_plausible(unit("mass_g")), 1e6);
+  EXPECT_DOUBLE_EQ(greatest_plausible(unit("t_degC")), greatest_plausible(unit("t_K")));
+  for (const Unit& a : all_units())
+    for (const Unit& b : all_units()) {
+      if (a.dimension != b.dimension) continue;
+      const double in_a = greatest_plausible(a) * a.numerator / a.denominator;
+      EXPECT_NEAR(in_a / (greatest_plausible(b) * b.numerator / b.denominator), 1.0, 1e-14);  // two roundings of each
+    }
 }
 
 TEST(Units, AreNotSeenInWordsOrBareSuffixes) {

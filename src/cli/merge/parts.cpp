@@ -22,7 +22,9 @@ text::InputError refused_part(const fs::path& folder, std::string rule) {
 
 formats::PartFile part_in(const fs::path& folder) {
   std::error_code error;
-  if (!fs::exists(folder / part_name, error))
+  const bool is_there = fs::exists(folder / part_name, error);
+  if (error) throw refused_part(folder, "cannot be looked at: " + error.message());
+  if (!is_there)
     throw refused_part(folder, "holds no finished part (part.json is not there): make it again with --resume");
   return formats::read_part(folder / part_name).file;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -100,7 +101,11 @@ void read_magnetics(const Node& node, LumpedModelContent& content) {
         (void)in.one_of({"coil", "angle_deg"});
         pair.source = read_dimensions(in);
       }
-      return actuator::hinge_pair_of(pair, coil);
+      try {
+        return actuator::hinge_pair_of(pair, coil);
+      } catch (const std::exception& why) {
+        throw entries[j].error_without_value(fmt::format("must give a smooth torque over the angle: {}", why.what()));
+      }
     }));
     content.model.pairs.push_back(std::move(pair));
   }

@@ -10,6 +10,7 @@
 #include "coilwright/text/json/json_pointer.hpp"
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/text/spelling.hpp"
+#include "coilwright/units/plausible.hpp"
 #include "coilwright/units/unit.hpp"
 
 namespace coilwright::text {
@@ -18,6 +19,15 @@ namespace {
 template <class Type>
 const Type* as(const Json* value) {
   return std::get_if<Type>(&value->content());
+}
+
+// Where a rule has no end, the number's unit has.
+Rule with_ends(const Rule& rule, const units::Unit& unit) {
+  const double greatest = units::greatest_plausible(unit);
+  Rule out = rule;
+  if (!std::isfinite(rule.upper())) out = out.and_also(Rule::at_most(greatest));
+  if (!std::isfinite(rule.lower())) out = out.and_also(Rule::at_least(-greatest));
+  return out;
 }
 
 std::string length_rule(const Length& length) {
@@ -56,7 +66,10 @@ double Node::quantity(const Rule& rule) const {
 }
 
 double Node::quantity_in(const units::Unit& unit, const Rule& rule) const {
-  return units::to_si(number(rule), unit);
+  const double value = number(rule);
+  const Rule ended = with_ends(rule, unit);
+  if (!ended.allows(value)) throw error(ended.text());
+  return units::to_si(value, unit);
 }
 
 double Node::whole_number(const Rule& rule, double lowest, double highest) const {

@@ -1,5 +1,6 @@
 #include "coilwright/formats/actuator/actuator_file.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -373,6 +374,22 @@ TEST(LumpedModel, TakesATableInOtherUnits) {
               torque(two_joints), 1e-9);
   EXPECT_EQ(actuator_refusal(changed(two_joints, R"("angle_deg")", R"("coil": 1, "angle_deg")")),
             R"(a.json: /magnetics/1/angle_deg: cannot stand beside "coil")");
+}
+
+// Where a key's rule has no end, its unit has: one table for every reader.
+TEST(LumpedModel, RefusesNumbersBeyondAnyHardware) {
+  EXPECT_EQ(actuator_refusal(changed(two_joints, R"("mass_kg": 0.017)", R"("mass_kg": 1e298)")),
+            "a.json: /links/0/mass_kg: must be > 0 and <= 1000; got 1e+298");
+  EXPECT_EQ(actuator_refusal(changed(two_joints, R"("stiffness_Nm_rad": 0.0125)", R"("stiffness_Nm_rad": 1e298)")),
+            "a.json: /joints/0/stiffness_Nm_rad: must be from 0 to 10000; got 1e+298");
+  EXPECT_EQ(actuator_refusal(changed(two_joints, R"("damping_Nms_rad": 1.3e-4)", R"("damping_Nms_rad": 1e7)")),
+            "a.json: /joints/0/damping_Nms_rad: must be from 0 to 1000; got 10000000");
+  EXPECT_EQ(actuator_refusal(changed(two_joints, R"("closing_angle_deg": -3)", R"("closing_angle_deg": -1e298)")),
+            "a.json: /joints/0/contact/closing_angle_deg: must be from -3600 to 3600; got -1e+298");
+  EXPECT_EQ(actuator_refusal(changed(two_joints, "[19.0, 17.5, 9.0, 4.1, 1.3]", "[19.0, 1e30, 9.0, 4.1, 1.3]")),
+            "a.json: /magnetics/1/torque_Nmm_A/1: must be from -10000000 to 10000000; got 1e+30");
+  EXPECT_THAT(actuator_refusal(changed(two_joints, "[-10, 0, 30, 60, 110]", "[-10, 0, 1e-310, 60, 110]")),
+              ::testing::StartsWith("a.json: /magnetics/1: must give a smooth torque over the angle: "));
 }
 
 TEST(LumpedModel, RefusesWhatDoesNotFitTogether) {

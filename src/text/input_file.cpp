@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <limits>
 #include <system_error>
 
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/input_text.hpp"
+#include "coilwright/text/require_readable.hpp"
 
 namespace coilwright::text {
 namespace {
@@ -62,6 +64,12 @@ InputText read_text(const std::filesystem::path& path, std::size_t size_limit) {
     read.text.resize(filled + file.read({read.text.data() + filled, block}).size());
     if (read.text.size() < filled + block) return read;
   }
+}
+
+void require_readable(const fs::path& path) {
+  InputFile file(path, std::numeric_limits<std::size_t>::max());
+  char first{};
+  if (file.read({&first, 1}).empty()) throw InputError({.file = file.name(), .rule = "must not be empty"});
 }
 
 }  // namespace coilwright::text

@@ -160,6 +160,14 @@ class Broken(FilmTest):
         ffmpeg("-f", "lavfi", "-i", "sine=d=0.3", "sound.m4a", cwd=self.folder)
         self.refused(rule, "sound.m4a")
 
+    def test_files_that_are_not_there(self):
+        self.write("empty.mp4", "")
+        (self.folder / "folder.mp4").mkdir()
+        for film, rule in {"missing.mp4": "cannot be opened: No such file or directory",
+                           "folder.mp4": "must be a file, and is a folder", "empty.mp4": "must not be empty"}.items():
+            self.refused(rule, film)
+            self.assert_refused(["lens", film, "--out", "lens.json"], f"{film}: {rule}")
+
     def test_a_picture_and_a_film_of_one_picture(self):
         self.step()
         ffmpeg("-i", "film.mp4", "-frames:v", "1", "one.png", cwd=self.folder)

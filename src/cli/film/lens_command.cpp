@@ -11,6 +11,7 @@
 #include "cli/outputs.hpp"
 #include "coilwright/formats/data/lens_file.hpp"
 #include "coilwright/text/input_error.hpp"
+#include "coilwright/text/require_readable.hpp"
 #include "film_commands.hpp"
 
 namespace coilwright::cli {
@@ -33,6 +34,7 @@ bool is_new(const std::vector<video::Place>& board, const std::vector<std::vecto
 }
 
 video::CalibratedLens calibrate(const std::string& file) {
+  text::require_readable(file);
   const video::Vision& vision = video::load_vision();
   std::vector<std::vector<video::Place>> boards;
   video::Picture picture;

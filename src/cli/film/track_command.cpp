@@ -20,6 +20,7 @@
 #include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_folder.hpp"
+#include "coilwright/text/require_readable.hpp"
 #include "film_commands.hpp"
 #include "film_run.hpp"
 
@@ -98,6 +99,7 @@ void require_same_size(const TrackOptions& options, const video::TrackedFilm& fi
 
 ReadFilm read_film(const TrackOptions& options, const video::Vision& vision, const std::string& file,
                    const video::CameraKnowledge& knowledge) {
+  text::require_readable(file);
   video::TrackRequest request;
   if (!options.led.empty()) request.led = video::Place(options.led[0], options.led[1]);
   Preview preview(vision);

@@ -1,7 +1,9 @@
 #include "coilwright/video/film_clock.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace coilwright::video {
 namespace {
@@ -12,6 +14,26 @@ double mean_of(std::span<const AngleSample> samples) {
   double sum = 0.0;
   for (const AngleSample& each : samples) sum += each.angle;
   return samples.empty() ? 0.0 : sum / static_cast<double>(samples.size());
+}
+
+double median_sigma(std::span<const AngleSample> samples) {
+  std::vector<double> sigmas;
+  for (const AngleSample& each : samples) sigmas.push_back(each.sigma);
+  const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
+  std::ranges::nth_element(sigmas, middle);
+  return *middle;
+}
+
+// Where a line of time over the root of the way has come no way. Noise of an angle is one of its root over twice the
+// root. All count alike: by their noise alone the later ones would decide, where the line bends.
+Moment rest_by_line(const Eigen::ArrayXd& roots, const Eigen::ArrayXd& times, double noise, double interval) {
+  const Eigen::ArrayXd apart = roots - roots.mean();
+  const double squares = apart.square().sum();
+  if (squares <= 1e-9 * roots.square().sum()) return {.time = times[0] - 0.5 * interval, .sigma = interval};
+  const Eigen::ArrayXd shares = 1.0 / static_cast<double>(roots.size()) - roots.mean() / squares * apart;
+  const double slope = (apart * times).sum() / squares;
+  const double error = 0.5 * noise * slope * (shares / roots).matrix().norm();
+  return {.time = (shares * times).sum(), .sigma = std::hypot(interval, error)};
 }
 
 }  // namespace
@@ -29,37 +51,32 @@ std::size_t still_samples(std::span<const AngleSample> samples) {
 }
 
 std::optional<Moment> onset_of(std::span<const AngleSample> samples, double interval) {
-  const std::size_t first = still_samples(samples);
-  if (first == 0 || first == samples.size()) return std::nullopt;
-  const double rest = mean_of(samples.first(first));
-  double largest = 0.0;
-  for (const AngleSample& each : samples) largest = std::max(largest, std::abs(each.angle - rest));
+  const std::size_t still = still_samples(samples);
+  if (still == 0 || still == samples.size()) return std::nullopt;
+  const double rest = mean_of(samples.first(still));
+  const auto way = [&](const AngleSample& each) { return std::abs(each.angle - rest); };
   constexpr double early = 0.35;  // of the whole way: beyond, springs and dampers bend the line
-  constexpr std::size_t most = 6;
-  // A line through time over root, where it has come no way; noise of an angle is one of its root over twice the root.
-  double weight = 0.0;
-  double times = 0.0;
-  double roots = 0.0;
-  double squares = 0.0;
-  double products = 0.0;
-  std::size_t count = 0;
-  for (const AngleSample& each : samples.subspan(first, std::min(most, samples.size() - first))) {
-    const double way = std::abs(each.angle - rest);
-    if (count++ > 0 && way > early * largest) break;
-    const double root = std::sqrt(way);
-    const double since = each.time - samples[first].time;
-    weight += way;
-    times += way * since;
-    roots += way * root;
-    squares += way * way;
-    products += way * root * since;
+  const double bends = early * way(*std::ranges::max_element(samples, {}, way));
+  const auto moving = std::ranges::find_if(samples, [&](const AngleSample& each) { return way(each) >= bends; });
+  // The noise of pictures in which it moves: those before are frozen by compression, state less, and creep by more.
+  constexpr std::ptrdiff_t few = 6;
+  const double noise = median_sigma({moving, std::min(samples.end(), moving + few)});
+  constexpr double seen = 3.0;  // standard deviations: all that follow are seen too
+  auto first = moving;
+  while (first != samples.begin() && way(*std::prev(first)) > seen * noise) --first;
+  // Until it is twice as fast, where that is not too few: then the line bends.
+  auto last = first;
+  while (++last != samples.end() && way(*last) <= bends && (last - first < few || way(*last) < 4.0 * way(*first))) {
   }
-  const double spread = weight * squares - roots * roots;
-  double onset = samples[first].time - 0.5 * interval;
-  if (spread > 1e-9 * weight * squares) onset = samples[first].time + (squares * times - roots * products) / spread;
-  constexpr double reach = 3.0;  // intervals: what moved earlier would have been seen
-  return Moment{.time = std::clamp(onset, samples[first].time - reach * interval, samples[first].time),
-                .sigma = interval};
+  Eigen::ArrayXd roots(last - first);
+  Eigen::ArrayXd times(last - first);
+  for (Eigen::Index i = 0; i < roots.size(); ++i) {
+    roots[i] = std::sqrt(way(first[i]));
+    times[i] = first[i].time;
+  }
+  Moment out = rest_by_line(roots, times, noise, interval);
+  out.time = std::clamp(out.time, samples.front().time, first->time);
+  return out;
 }
 
 std::optional<Moment> led_lit(const TrackedFilm& film, const FingerMotion& motion, double row) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -28,10 +29,45 @@ TEST(FilmClock, SeesWhenATagBeginsToMoveBetweenTwoPictures) {
   for (const double start : {0.3011, 0.3043, 0.3082}) {
     const auto onset = onset_of(started_at(start), interval);
     ASSERT_TRUE(onset);
-    // 1e-3 rad of noise on the 6e-2 rad of the last picture that counts are 0.5 ms of its time.
-    EXPECT_NEAR(onset->time, start, 1.5e-3);
-    EXPECT_EQ(onset->sigma, interval);
+    // 1e-3 rad of noise on the 5e-3 to 2e-2 rad of the four pictures that count are 1.6 to 0.8 ms of their times.
+    EXPECT_NEAR(onset->time, start, 0.25 * interval);
+    EXPECT_GE(onset->sigma, interval);
+    EXPECT_LT(onset->sigma, 1.2 * interval);
   }
+}
+
+// The tip of a finger of two joints starts faster than it goes on: the root of its way is no line.
+TEST(FilmClock, SeesWhenATipOfTwoJointsBeginsToMove) {
+  // Way of the paper's finger, degrees, every 4 ms after a step to 1.2 A: `coilwright simulate --step-A 1.2`.
+  constexpr std::array way = {0.0, 1.56, 4.76, 8.65, 13.10, 18.04, 23.34, 28.80, 34.21, 39.40};
+  constexpr double fast = 1.0 / 240.0;
+  for (const double start : {0.3005, 0.3017, 0.3031}) {
+    std::vector<AngleSample> samples;
+    for (double time = 0.0; time < start + 0.035; time += fast) {
+      const double steps = std::max(0.0, (time - start) / 0.004);
+      const auto k = static_cast<std::size_t>(steps);
+      const double degrees = way[k] + (steps - static_cast<double>(k)) * (way[k + 1] - way[k]);
+      samples.push_back({.time = time, .angle = degrees * M_PI / 180.0, .sigma = 0.12 * M_PI / 180.0});
+    }
+    const auto onset = onset_of(samples, fast);
+    ASSERT_TRUE(onset);
+    EXPECT_NEAR(onset->time, start, onset->sigma);
+  }
+}
+
+// Compression freezes what is still: its errors creep by more than the small deviation that its pixels state.
+TEST(FilmClock, TakesNoCreepingOfAFrozenPictureForAMotion) {
+  constexpr double start = 0.3043;
+  auto samples = started_at(start);
+  for (AngleSample& each : samples)
+    if (each.time < start) {
+      each.sigma = 0.1 * sigma;
+      each.angle = 0.3 + (each.time > 0.2 ? 2.0 * sigma : 0.0);
+    }
+  EXPECT_LT(samples[still_samples(samples)].time, 0.22);
+  const auto onset = onset_of(samples, interval);
+  ASSERT_TRUE(onset);
+  EXPECT_NEAR(onset->time, start, 2.5e-3);  // as above, and 1e-3 rad of the rest's own error
 }
 
 TEST(FilmClock, SeesNoOnsetWhereNothingMoves) {

@@ -111,7 +111,7 @@ void add_still(FilmRuns& out, const FingerMotion& motion, const std::string& nam
   still.kind = RunKind::still;
   keep(still, sigmas, 0, count);
   // Compression holds a picture in which nothing moves, with its errors: that is not the noise of a motion.
-  if (scatter(still.channels.front().values) < 0.5 * rms(sigmas)) {
+  if (scatter(still.channels.front().values) < 0.5 * rms(out.sigmas)) {
     out.why_no_still =
         "compression has smoothed the pictures before it moves: they do not show the noise, and are no still run";
     return;

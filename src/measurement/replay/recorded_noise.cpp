@@ -200,6 +200,14 @@ void take_recorded_noise(PreparedRun& prepared, std::span<const data::Run> still
       take_over_hum(prepared, c, runs);
       continue;
     }
+    // A compressed film holds a picture in which nothing moves, with its errors: that is not the noise of a motion.
+    if (level.given && colour->sigma < 0.5 * level.sigma) {
+      level.colour =
+          fmt::format("taken as white: the parts at rest scatter by {:.2g} of it, and do not show its colour",
+                      colour->sigma / level.sigma);
+      take_over_hum(prepared, c, runs);
+      continue;
+    }
     level.colour = text_of(*colour, "the parts at rest");
     if (colour->is_white && colour->lines.empty()) continue;
     if (!level.given) {

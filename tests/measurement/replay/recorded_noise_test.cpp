@@ -134,10 +134,10 @@ TEST(RecordedNoise, OfHumIsALineOfTheRun) {
   EXPECT_NEAR(hum.prepared.line_sizes.front(), 0.002, 0.0004);
 }
 
-TEST(RecordedNoise, OfThePartsAtRestCountsWhereItIsColoured) {
+// Two seconds of rest before the slide is pushed, under coloured noise of 0.003 rad.
+data::Run rested_run() {
   data::Run run = slide_run(300, {}, no_error);
   run.sigma.reset();
-  // Two seconds of rest before the slide is pushed.
   std::vector<double>& values = run.channels.front().values;
   values.insert(values.begin(), 200, 0.0);
   run.inputs.insert(run.inputs.begin(), 200, {0.0});
@@ -147,10 +147,26 @@ TEST(RecordedNoise, OfThePartsAtRestCountsWhereItIsColoured) {
     run.times.push_back(interval * static_cast<double>(i));
     values[i] += noise[i];
   }
+  return run;
+}
+
+TEST(RecordedNoise, OfThePartsAtRestCountsWhereItIsColoured) {
+  const data::Run run = rested_run();
   const Told rest = told(run, {});
   EXPECT_THAT(rest.level().colour, StartsWith("coloured, its spectrum from the parts at rest"));
   EXPECT_THAT(rest.level().source, StartsWith("the parts at rest"));
   EXPECT_NE(rest.prepared.whiteners.front(), nullptr);
+}
+
+// A film's compression freezes what is still.
+TEST(RecordedNoise, OfPartsAtRestThatAreFarQuieterThanTheSetSaysIsNotThatOfAMotion) {
+  data::Run run = rested_run();
+  run.sigma = 0.004;
+  EXPECT_THAT(told(run, {}).level().colour, StartsWith("coloured, its spectrum from the parts at rest"));
+  run.sigma = 0.008;
+  const Told frozen = told(run, {});
+  EXPECT_THAT(frozen.level().colour, StartsWith("taken as white: the parts at rest scatter by 0."));
+  EXPECT_EQ(frozen.prepared.whiteners.front(), nullptr);
 }
 
 }  // namespace

@@ -35,6 +35,37 @@ double light_at(const Picture& picture, const Place& place) {
   return count > 0 ? sum / count : 0.0;
 }
 
+struct Turn {
+  double angle;
+  double sigma;
+};
+
+// How far a tag turned from one frame to the next; nothing where it was not read in both.
+std::optional<Turn> turn_between(const Frame& from, const Frame& to, int id) {
+  const auto before = std::ranges::find(from.sightings, id, &Sighting::id);
+  const auto after = std::ranges::find(to.sightings, id, &Sighting::id);
+  if (before == from.sightings.end() || after == to.sightings.end()) return std::nullopt;
+  return Turn{.angle = std::remainder(picture_angle(after->shape) - picture_angle(before->shape), 2.0 * M_PI),
+              .sigma = std::hypot(before->sigma, after->sigma)};
+}
+
+// A double that was compressed is not the same to the bit: all tags stand within their deviation, between two frames
+// over which one of them turns the same way beyond doubt.
+bool is_double(std::span<const Frame> frames, std::size_t i) {
+  constexpr double beyond_doubt = 5.0;
+  bool turns = false;
+  for (const Sighting& tag : frames[i].sightings) {
+    const auto now = turn_between(frames[i - 1], frames[i], tag.id);
+    if (!now || std::abs(now->angle) > now->sigma) return false;
+    const auto before = turn_between(frames[i - 2], frames[i - 1], tag.id);
+    const auto after = turn_between(frames[i], frames[i + 1], tag.id);
+    turns |= before && after && before->angle * after->angle > 0.0 &&
+             std::abs(before->angle) > beyond_doubt * before->sigma &&
+             std::abs(after->angle) > beyond_doubt * after->sigma;
+  }
+  return turns;
+}
+
 class FilmTracker {
  public:
   FilmTracker(const Vision& vision, const std::filesystem::path& file, const TrackRequest& request)
@@ -50,10 +81,19 @@ class FilmTracker {
       picture.grey.resize(last_.size());
     }
     require_content();
+    leave_out_doubles();
     return std::move(film_);
   }
 
  private:
+  void leave_out_doubles() {
+    for (std::size_t i = 2; i + 1 < film_.frames.size(); ++i)
+      if (is_double(film_.frames, i)) {
+        film_.frames.erase(film_.frames.begin() + static_cast<std::ptrdiff_t>(i));
+        ++film_.doubled;
+      }
+  }
+
   [[nodiscard]] InputError refused(std::string rule) const {
     return InputError({.file = film_.file, .place = "", .rule = std::move(rule), .value = ""});
   }

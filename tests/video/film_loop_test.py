@@ -1,8 +1,8 @@
 """From films to verdicts: twins with one hidden effect or none are filmed, read and diagnosed, beside ideal records.
 
 Ideal records have the same motions, frame rate and noise without a camera in between. Prints a table and ends with the
-numbers of right verdicts. FILM_TWINS: how many twins, 30 take hours; without it the test is skipped. FILM_FIRST: the
-first of them.
+numbers of right verdicts. FILM_TWINS: how many twins, a minute or more each; without it the test is skipped.
+FILM_FIRST: the first of them.
 """
 
 import json
@@ -87,6 +87,6 @@ class Loop(FilmTest):
 
 if __name__ == "__main__":
     if "FILM_TWINS" not in os.environ:
-        print("takes many minutes a twin: FILM_TWINS says how many")
+        print("takes a minute or more a twin: FILM_TWINS says how many")
         sys.exit(77)  # shown as skipped
     filming.main()

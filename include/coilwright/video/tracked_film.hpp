@@ -36,7 +36,7 @@ struct TrackedFilm {
   int width{};
   int height{};
   std::size_t pictures{};  ///< decoded
-  std::size_t doubled{};   ///< that were the picture before to the bit, and are left out
+  std::size_t doubled{};   ///< that show the picture before once more, and are left out
   std::vector<Frame> frames{};
 };
 

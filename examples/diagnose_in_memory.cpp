@@ -76,7 +76,7 @@ int main() {
 
     std::printf("verdict: %s\n", std::string(name_of(diagnosis.verdict)).c_str());
     for (const AddedEffect& effect : diagnosis.effects)
-      for (const compare::Estimate& number : effect.parameters)
+      for (const identification::Estimate& number : effect.parameters)
         std::printf("%s: %s %.2f, 95 %% of %.2f to %.2f\n", std::string(effect.kind->id()).c_str(), number.key.c_str(),
                     units::from_memory(number.value, number.key), units::from_memory(number.lower, number.key),
                     units::from_memory(number.upper, number.key));

@@ -45,7 +45,7 @@ ROOMS = {
 FOLDERS = {
     "sizing": "problem sampling nlopt surrogate search study",
     "actuator": "parts model effects design",
-    "measurement": "data noise whiteness replay fit records compare localise correction experiment",
+    "measurement": "data signals replay fit records identification localise correction planning",
 }
 
 # Libraries that only the .cpp files of the named layers, or rooms with all their layers, may see (a private header

@@ -27,11 +27,11 @@
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/formats/data/declared_actuator.hpp"
 #include "coilwright/formats/data/experiment_file.hpp"
-#include "coilwright/measurement/experiment/synthetic_data.hpp"
-#include "measurement/compare/curvature.hpp"
-#include "measurement/compare/rig_scale.hpp"
-#include "measurement/compare/staged_fit.hpp"
-#include "measurement/compare/weighed_fit.hpp"
+#include "coilwright/measurement/planning/synthetic_data.hpp"
+#include "measurement/identification/curvature.hpp"
+#include "measurement/identification/rig_scale.hpp"
+#include "measurement/identification/staged_fit.hpp"
+#include "measurement/identification/weighed_fit.hpp"
 #include "measurement/replay/recorded_noise.hpp"
 #include "run_program.hpp"
 #include "truth/random.hpp"
@@ -58,7 +58,7 @@ double heavy_tailed(Random& random) {
   return normal / std::sqrt(squares / 4.0);
 }
 
-// The inverse of what compare::prior_of_numbers() says of one number.
+// The inverse of what identification::prior_of_numbers() says of one number.
 double drawn(const EffectKind& kind, std::size_t index, const actuator::RigScale& scale, Random& random) {
   const EffectParameter& number = kind.parameters()[index];
   if (!number.choices.empty())
@@ -164,13 +164,13 @@ struct Calibrated {
   std::vector<double> deviations{};  // stiffness, damping, the effect's number
 };
 
-Calibrated calibrated(const Truth& truth, const experiment::Experiment& experiment,
-                      const replay::DeclaredModel& declared, const actuator::RigScale& scale, std::uint64_t seed) {
+Calibrated calibrated(const Truth& truth, const planning::Experiment& experiment, const replay::DeclaredModel& declared,
+                      const actuator::RigScale& scale, std::uint64_t seed) {
   replay::DeclaredModel rig = declared;
   for (std::size_t i = 0; i < rig.calibration.size(); ++i) rig.calibration[i].declared = truth.declared[i];
   std::vector<data::Run> records;
   try {
-    records = experiment::simulate_experiment(experiment, rig, std::span(&truth.effect, 1), seed);
+    records = planning::simulate_experiment(experiment, rig, std::span(&truth.effect, 1), seed);
   } catch (const std::exception&) {
     return {};
   }
@@ -185,12 +185,12 @@ Calibrated calibrated(const Truth& truth, const experiment::Experiment& experime
   const EffectParameter& number = truth.effect.kind->parameters()[main];
   const Eigen::Index place = hypothesis.parameters_of(0).first;
   const double origin = number.absent && std::isfinite(*number.absent) ? *number.absent : 0.0;
-  const Eigen::MatrixXd covariance = compare::covariance(compare::score(runs, hypothesis, *there), 1.0);
+  const Eigen::MatrixXd covariance = identification::covariance(identification::score(runs, hypothesis, *there), 1.0);
   const double precise = std::sqrt(covariance(place, place));
   if (!(std::abs(truth.effect.values[main] - origin) > least_deviations * precise)) return {.outcome = Outcome::unseen};
-  const auto fitted = compare::fit_exactly(runs, {.hypothesis = hypothesis, .start = start});
+  const auto fitted = identification::fit_exactly(runs, {.hypothesis = hypothesis, .start = start});
   if (!fitted) return {};
-  const compare::WeighedFit posterior = compare::weighed(runs, *fitted, scale);
+  const identification::WeighedFit posterior = identification::weighed(runs, *fitted, scale);
   Calibrated out{.outcome = Outcome::counted};
   for (Eigen::Index i = 0; i <= place; ++i) {
     if (i >= std::ssize(truth.declared) && i != place) continue;
@@ -243,10 +243,11 @@ int run(int argc, char** argv) {
   FLAGS_minloglevel = google::GLOG_FATAL;  // a rig that cannot be simulated is no news
 
   const replay::DeclaredModel declared = declared_joint();
-  const experiment::Experiment experiment = formats::parse_experiment(experiment_text, "experiment.json");
-  const std::vector<data::Run> as_declared = experiment::simulate_experiment(experiment, declared, {}, seed);
+  const planning::Experiment experiment = formats::parse_experiment(experiment_text, "experiment.json");
+  const std::vector<data::Run> as_declared = planning::simulate_experiment(experiment, declared, {}, seed);
   const fit::Hypothesis plain(declared, {});
-  const actuator::RigScale scale = compare::rig_scale(prepared(as_declared, declared), plain.model_at(plain.start()));
+  const actuator::RigScale scale =
+      identification::rig_scale(prepared(as_declared, declared), plain.model_at(plain.start()));
   Ranked stiffness, damping;
   std::string lines, left_out;
   constexpr int most_tries = 10;  // of each draw

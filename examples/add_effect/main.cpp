@@ -19,7 +19,7 @@
 #include "coilwright/measurement/corrected_model.hpp"
 #include "coilwright/measurement/data/hold_out.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
-#include "coilwright/measurement/experiment/synthetic_data.hpp"
+#include "coilwright/measurement/planning/synthetic_data.hpp"
 #include "coilwright/measurement/replay/declare.hpp"
 #include "coilwright/units/unit.hpp"
 
@@ -36,14 +36,14 @@ const actuator::EffectCatalogue& effects() {
   return catalogue;
 }
 
-experiment::PlannedRun run(const std::string& name, experiment::InputShape input, double duration) {
+planning::PlannedRun run(const std::string& name, planning::InputShape input, double duration) {
   const data::Channel camera{.name = "bending_angle_deg", .kind = data::ChannelKind::bending_angle};
   return {.plan = {.name = name, .channels = {camera}}, .input = std::move(input), .duration = duration, .rate = 100.0};
 }
 
 // Records of a finger with the effect, seen by a camera.
 data::Dataset measured(const replay::DeclaredModel& rig) {
-  using namespace experiment;
+  using namespace planning;
   const Experiment runs{.name = "finger with iron",
                         .instruments = {.angle = {.noise = 0.005}},  // rad: 0.3 degrees
                         .runs = {run("step_0.5A", StepShape{.after = 0.5, .at = 0.1}, 1.0),

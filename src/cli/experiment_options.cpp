@@ -15,8 +15,8 @@ void add_noise_and_seed(CLI::App& command, ExperimentOptions& options) {
   add_seed_option(command, options.seed, "Random seed for the noise (default 1)");
 }
 
-measurement::experiment::Experiment read_experiment(const ExperimentOptions& options) {
-  measurement::experiment::Experiment experiment = formats::read_experiment(options.file);
+measurement::planning::Experiment read_experiment(const ExperimentOptions& options) {
+  measurement::planning::Experiment experiment = formats::read_experiment(options.file);
   require_names_once(options.noise);
   for (const std::string& argument : options.noise) formats::set_noise(experiment.instruments, argument);
   return experiment;

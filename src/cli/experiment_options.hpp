@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "coilwright/measurement/experiment/experiment.hpp"
+#include "coilwright/measurement/planning/experiment.hpp"
 #include "coilwright/text/input_error.hpp"
 
 namespace coilwright::cli {
@@ -22,7 +22,7 @@ struct ExperimentOptions {
 void add_noise_and_seed(CLI::App& command, ExperimentOptions& options);
 
 /// The experiment of the file, with the noise of the arguments. Throws InputError.
-[[nodiscard]] measurement::experiment::Experiment read_experiment(const ExperimentOptions& options);
+[[nodiscard]] measurement::planning::Experiment read_experiment(const ExperimentOptions& options);
 
 /// What `work` returns. An experiment that does not fit its rig, or a rig that loses its motion under it, is bad input:
 /// InputError of the file, with the reason.

@@ -8,7 +8,7 @@
 
 #include "coilwright/formats/data/declared_actuator.hpp"
 #include "coilwright/formats/data/plan_json.hpp"
-#include "coilwright/measurement/experiment/experiment_plan.hpp"
+#include "coilwright/measurement/planning/experiment_plan.hpp"
 #include "coilwright/report/plan_text.hpp"
 #include "commands.hpp"
 #include "experiment_options.hpp"
@@ -27,7 +27,7 @@ struct PlanOptions {
   bool json{false};
 };
 
-measurement::experiment::ExperimentPlan plan(const PlanOptions& options) {
+measurement::planning::ExperimentPlan plan(const PlanOptions& options) {
   const EndOnSignal nothing_to_save;
   // A model that cannot be simulated is an answer here.
   FLAGS_minloglevel = google::GLOG_FATAL;
@@ -36,15 +36,15 @@ measurement::experiment::ExperimentPlan plan(const PlanOptions& options) {
       {.names = options.calibrate,
        .file = "--calibrate",
        .tolerances = options.exact ? measurement::replay::Tolerances::exact() : measurement::replay::Tolerances{}});
-  const measurement::experiment::Experiment experiment = read_experiment(options.experiment);
+  const measurement::planning::Experiment experiment = read_experiment(options.experiment);
   return blaming_the_experiment(options.experiment, [&] {
-    return measurement::experiment::plan_experiment(experiment, rig.model,
-                                                    {.threads = options.threads, .seed = options.experiment.seed});
+    return measurement::planning::plan_experiment(experiment, rig.model,
+                                                  {.threads = options.threads, .seed = options.experiment.seed});
   });
 }
 
 void print(const PlanOptions& options) {
-  const measurement::experiment::ExperimentPlan planned = plan(options);
+  const measurement::planning::ExperimentPlan planned = plan(options);
   const formats::PlanReport report{
       .plan = planned, .experiment = options.experiment.file, .actuator = options.actuator};
   std::cout << (options.json ? formats::to_json(report).text() : report::to_text(report));

@@ -14,7 +14,7 @@
 #include "coilwright/formats/data/dataset_file.hpp"
 #include "coilwright/formats/data/declared_actuator.hpp"
 #include "coilwright/formats/data/twin_answer.hpp"
-#include "coilwright/measurement/experiment/synthetic_data.hpp"
+#include "coilwright/measurement/planning/synthetic_data.hpp"
 #include "coilwright/results/provenance.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/json.hpp"
@@ -30,7 +30,7 @@ namespace {
 
 using actuator::Effect;
 using measurement::data::Run;
-using measurement::experiment::Experiment;
+using measurement::planning::Experiment;
 
 struct TwinOptions {
   std::string actuator;
@@ -68,7 +68,7 @@ std::vector<Effect> read_hidden(const TwinOptions& options, const actuator::Mode
 std::vector<Run> act_out(const TwinOptions& options, const Experiment& experiment,
                          const measurement::replay::DeclaredModel& rig, const std::vector<Effect>& hidden) {
   return blaming_the_experiment(options.experiment, [&] {
-    return measurement::experiment::simulate_experiment(experiment, rig, hidden, options.experiment.seed);
+    return measurement::planning::simulate_experiment(experiment, rig, hidden, options.experiment.seed);
   });
 }
 
@@ -92,7 +92,7 @@ void check_output(const TwinOptions& options, const Experiment& experiment) {
 // What the clocks of the runs really were; none where they are one.
 std::vector<formats::ClockOfRun> clocks_of(const TwinOptions& options, const Experiment& experiment) {
   std::vector<formats::ClockOfRun> out;
-  const auto clocks = measurement::experiment::true_clocks(experiment, options.experiment.seed);
+  const auto clocks = measurement::planning::true_clocks(experiment, options.experiment.seed);
   for (std::size_t i = 0; i < clocks.size(); ++i)
     if (clocks[i].shift != 0.0 || clocks[i].rate != 0.0)
       out.push_back({.run = experiment.runs[i].plan.name, .clock = clocks[i]});

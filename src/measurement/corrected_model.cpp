@@ -6,9 +6,9 @@
 namespace coilwright::measurement {
 namespace {
 
-std::vector<double> values_of(const std::vector<compare::Estimate>& estimates) {
+std::vector<double> values_of(const std::vector<identification::Estimate>& estimates) {
   std::vector<double> values;
-  for (const compare::Estimate& each : estimates) values.push_back(each.value);
+  for (const identification::Estimate& each : estimates) values.push_back(each.value);
   return values;
 }
 

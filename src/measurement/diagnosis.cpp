@@ -13,26 +13,26 @@
 #include <span>
 #include <utility>
 
-#include "coilwright/measurement/compare/decision_thresholds.hpp"
-#include "measurement/compare/curvature.hpp"
-#include "measurement/compare/hypothesis_search.hpp"
-#include "measurement/compare/insensitive_parameters.hpp"
-#include "measurement/compare/intervals.hpp"
-#include "measurement/compare/mixed_intervals.hpp"
-#include "measurement/compare/numbers_off.hpp"
-#include "measurement/compare/profile_likelihood.hpp"
-#include "measurement/compare/recalibration.hpp"
-#include "measurement/compare/staged_fit.hpp"
-#include "measurement/compare/unseen_effects.hpp"
+#include "coilwright/measurement/identification/decision_thresholds.hpp"
 #include "measurement/correction/find_correction.hpp"
 #include "measurement/data/usable_runs.hpp"
 #include "measurement/diagnosis_warnings.hpp"
-#include "measurement/experiment/separating_experiment.hpp"
 #include "measurement/final_errors.hpp"
 #include "measurement/fit/fit.hpp"
 #include "measurement/fit/input_errors.hpp"
 #include "measurement/fit/outliers.hpp"
+#include "measurement/identification/curvature.hpp"
+#include "measurement/identification/hypothesis_search.hpp"
+#include "measurement/identification/insensitive_parameters.hpp"
+#include "measurement/identification/intervals.hpp"
+#include "measurement/identification/mixed_intervals.hpp"
+#include "measurement/identification/numbers_off.hpp"
+#include "measurement/identification/profile_likelihood.hpp"
+#include "measurement/identification/recalibration.hpp"
+#include "measurement/identification/staged_fit.hpp"
+#include "measurement/identification/unseen_effects.hpp"
 #include "measurement/localise/localisation.hpp"
+#include "measurement/planning/separating_experiment.hpp"
 #include "measurement/records/record_slips.hpp"
 #include "measurement/records/suspect_records.hpp"
 #include "measurement/replay/recorded_noise.hpp"
@@ -59,9 +59,9 @@ class PhaseTimer {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-void set_if_idle(MovedNumber& number, std::span<const compare::InsensitiveParameter> idle, Eigen::Index index) {
+void set_if_idle(MovedNumber& number, std::span<const identification::InsensitiveParameter> idle, Eigen::Index index) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  for (const compare::InsensitiveParameter& each : idle) {
+  for (const identification::InsensitiveParameter& each : idle) {
     if (each.index != index) continue;
     number.idle_from = each.nearest;
     const bool below = each.nearest < number.declared;
@@ -72,8 +72,8 @@ void set_if_idle(MovedNumber& number, std::span<const compare::InsensitiveParame
 }
 
 void set_declared_numbers(Diagnosis& out, const replay::DeclaredModel& declared,
-                          std::span<const compare::Estimate> estimates,
-                          std::span<const compare::InsensitiveParameter> idle) {
+                          std::span<const identification::Estimate> estimates,
+                          std::span<const identification::InsensitiveParameter> idle) {
   for (std::size_t i = 0; i < declared.calibration.size(); ++i) {
     const replay::CalibrationParameter& number = declared.calibration[i];
     if (number.calibrated) {
@@ -90,13 +90,13 @@ void set_declared_numbers(Diagnosis& out, const replay::DeclaredModel& declared,
 }
 
 // As Diagnosis::covariance has it, of the last step.
-Eigen::MatrixXd reported_covariance(const compare::FittedHypothesis& fitted, double overdispersion,
-                                    std::span<const compare::Estimate> estimates) {
-  const Eigen::MatrixXd of_fit = compare::covariance(fitted, overdispersion);
+Eigen::MatrixXd reported_covariance(const identification::FittedHypothesis& fitted, double overdispersion,
+                                    std::span<const identification::Estimate> estimates) {
+  const Eigen::MatrixXd of_fit = identification::covariance(fitted, overdispersion);
   Eigen::VectorXd wider = Eigen::VectorXd::Ones(of_fit.rows());
   for (Eigen::Index i = 0; i < wider.size(); ++i) {
-    const compare::Estimate& estimate = estimates[static_cast<std::size_t>(i)];
-    const double of_interval = (estimate.upper - estimate.lower) / (2.0 * compare::normal_95);
+    const identification::Estimate& estimate = estimates[static_cast<std::size_t>(i)];
+    const double of_interval = (estimate.upper - estimate.lower) / (2.0 * identification::normal_95);
     const double deviation = std::sqrt(of_fit(i, i));
     if (std::isfinite(of_interval) && deviation > 0.0) wider[i] = std::max(1.0, of_interval / deviation);
   }
@@ -124,7 +124,7 @@ void append(std::vector<Value>& to, const std::vector<Value>& from) {
 // suspected then. Far from the noise the runs keep the model error at which that was fitted: the comparison begins
 // there.
 void set_outliers_aside_twice(std::vector<replay::PreparedRun>& runs, const replay::DeclaredModel& declared) {
-  const auto fitted = compare::recalibrated_at_its_error(runs, declared);
+  const auto fitted = identification::recalibrated_at_its_error(runs, declared);
   const auto set_aside = [&](const fit::Fit& found) {
     (void)fit::set_outliers_aside(runs, found);
     fit::weigh_input_errors(runs, fitted.hypothesis, found.values, &found);
@@ -132,24 +132,24 @@ void set_outliers_aside_twice(std::vector<replay::PreparedRun>& runs, const repl
   set_aside(fitted.fit);
   const auto trimmed = fit::with_suspects_aside(runs, fitted.fit);
   if (!trimmed) return;
-  const auto anew = compare::fit_exactly(
+  const auto anew = identification::fit_exactly(
       *trimmed, {.hypothesis = fitted.hypothesis, .start = fitted.fit.values, .local_numbers_from = &fitted.fit});
   if (anew) set_aside(anew->fit);
 }
 
 // What is known before there is an answer: the recalibrated model, with intervals by its curvature, and the hypotheses
 // as they were compared so far.
-Diagnosis incomplete(Diagnosis out, std::span<const replay::PreparedRun> runs, const compare::FittedHypothesis& before,
-                     compare::Posterior so_far) {
-  const double overdispersion = compare::overdispersion_of(runs, before);
-  const Eigen::VectorXd deviations = compare::standard_deviations(before, overdispersion);
-  std::vector<compare::Estimate> estimates;
+Diagnosis incomplete(Diagnosis out, std::span<const replay::PreparedRun> runs,
+                     const identification::FittedHypothesis& before, identification::Posterior so_far) {
+  const double overdispersion = identification::overdispersion_of(runs, before);
+  const Eigen::VectorXd deviations = identification::standard_deviations(before, overdispersion);
+  std::vector<identification::Estimate> estimates;
   for (Eigen::Index i = 0; i < before.hypothesis.size(); ++i)
-    estimates.push_back(compare::local_estimate(before.hypothesis.parameters()[static_cast<std::size_t>(i)],
-                                                before.fit.values[i], deviations[i]));
+    estimates.push_back(identification::local_estimate(before.hypothesis.parameters()[static_cast<std::size_t>(i)],
+                                                       before.fit.values[i], deviations[i]));
   set_declared_numbers(out, before.hypothesis.declared(), estimates, {});
   out.verdict = Verdict::incomplete;
-  out.probability_of_declared = compare::probability_of_declared_numbers(before);
+  out.probability_of_declared = identification::probability_of_declared_numbers(before);
   out.model_error = before.fit.model_error;
   out.before = before.whiteness;
   out.after = before.whiteness;
@@ -204,38 +204,38 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   timer.end_phase("noise and outliers");
 
   out.held_exact = declared.held_exact;
-  const auto make_known = [&](const compare::FittedHypothesis& before, compare::Posterior so_far) {
+  const auto make_known = [&](const identification::FittedHypothesis& before, identification::Posterior so_far) {
     options.known(incomplete(out, runs, before, so_far));
   };
-  compare::Attribution found =
-      compare::attribute({.runs = runs,
-                          .declared = &declared,
-                          .seed = options.seed,
-                          .progress = options.progress,
-                          .known = options.known ? make_known : decltype(compare::AttributionRequest::known){},
-                          .beliefs = options.beliefs,
-                          .effects = options.effects});
+  identification::Attribution found = identification::attribute(
+      {.runs = runs,
+       .declared = &declared,
+       .seed = options.seed,
+       .progress = options.progress,
+       .known = options.known ? make_known : decltype(identification::AttributionRequest::known){},
+       .beliefs = options.beliefs,
+       .effects = options.effects});
   if (options.known) make_known(found.before, found.posterior);
   for (const replay::PreparedRun& prepared : runs) append(out.noise, prepared.noise);
   timer.end_phase("comparison");
 
-  const double overdispersion = compare::overdispersion_of(runs, found.after);
-  compare::EstimatedHypothesis reported =
-      compare::estimated(runs, compare::refitted(runs, std::move(found.after)), overdispersion, options.progress);
+  const double overdispersion = identification::overdispersion_of(runs, found.after);
+  identification::EstimatedHypothesis reported = identification::estimated(
+      runs, identification::refitted(runs, std::move(found.after)), overdispersion, options.progress);
   found.after = std::move(reported.fitted);
-  std::vector<compare::Estimate>& estimates = reported.estimates;
-  out.hinted = compare::widen_by_unseen_effects(estimates, runs, found, overdispersion);
-  compare::widen_by_posterior(estimates, found, overdispersion);
-  const auto idle_before = compare::insensitive_parameters(runs, found.before);
-  const auto idle_after = found.has_effects() ? compare::insensitive_parameters(runs, found.after) : idle_before;
+  std::vector<identification::Estimate>& estimates = reported.estimates;
+  out.hinted = identification::widen_by_unseen_effects(estimates, runs, found, overdispersion);
+  identification::widen_by_posterior(estimates, found, overdispersion);
+  const auto idle_before = identification::insensitive_parameters(runs, found.before);
+  const auto idle_after = found.has_effects() ? identification::insensitive_parameters(runs, found.after) : idle_before;
   if (!found.has_effects() && found.answer.leaves_noise)
-    out.numbers_off = compare::numbers_that_may_be_off(runs, found.before, overdispersion);
+    out.numbers_off = identification::numbers_that_may_be_off(runs, found.before, overdispersion);
   timer.end_phase("intervals");
 
-  out.probability_of_declared = compare::probability_of_declared_numbers(found.before, idle_before);
+  out.probability_of_declared = identification::probability_of_declared_numbers(found.before, idle_before);
   const bool numbers_are_off =
-      !out.numbers_off.empty() || out.probability_of_declared < compare::decision_thresholds.least_probability;
-  out.verdict = compare::verdict_of(found.posterior, found.answer, numbers_are_off);
+      !out.numbers_off.empty() || out.probability_of_declared < identification::decision_thresholds.least_probability;
+  out.verdict = identification::verdict_of(found.posterior, found.answer, numbers_are_off);
   out.model_error = found.after.fit.model_error;
   out.before = found.before.whiteness;
   out.after = found.after.whiteness;
@@ -244,7 +244,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   out.covariance = reported_covariance(found.after, overdispersion, estimates);
   for (std::size_t i = 0; i < found.after.hypothesis.effects().size(); ++i)
     out.effects.push_back({.kind = found.after.hypothesis.effects()[i].kind,
-                           .parameters = compare::estimates_of_effect(found.after, estimates, i)});
+                           .parameters = identification::estimates_of_effect(found.after, estimates, i)});
   say("residual as a torque");
   out.residual = localise::localise(runs, found.after);
   timer.end_phase("localisation");
@@ -254,10 +254,10 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   out.correction = nameless.outcome;
   timer.end_phase("nameless correction");
   say("what to record next");
-  out.next_experiment = experiment::separating_experiment(runs, found);
+  out.next_experiment = planning::separating_experiment(runs, found);
   out.odds = std::move(found.posterior);
   // Both were fitted again after they had been weighed.
-  for (compare::WeighedHypothesis& each : out.odds.hypotheses)
+  for (identification::WeighedHypothesis& each : out.odds.hypotheses)
     if (each.effects.empty()) each.chi_square = found.before.fit.chi_square;
   if (found.has_effects()) out.odds.hypotheses[found.answer.reported].chi_square = found.after.fit.chi_square;
   timer.end_phase("next experiment");

@@ -56,7 +56,7 @@ actuator::Model recalibrated(const Diagnosis& diagnosis, const replay::DeclaredM
   const fit::Hypothesis hypothesis(declared, {});
   Eigen::VectorXd values = hypothesis.start();
   Eigen::Index i = 0;
-  for (const compare::Estimate& each : diagnosis.calibration) values[i++] = each.value;
+  for (const identification::Estimate& each : diagnosis.calibration) values[i++] = each.value;
   for (const MovedNumber& each : diagnosis.nominal) values[i++] = each.estimate.value;
   return hypothesis.model_at(hypothesis.clamped(values));
 }
@@ -94,7 +94,7 @@ void warn_of_short_lags(std::vector<data::Warning>& out, const Diagnosis& diagno
   for (const AddedEffect& effect : diagnosis.effects) {
     const std::string_view id = effect.kind->id();
     if (id != "measurement_delay" && id != "coil_lag" && id != "tracking_lag") continue;
-    for (const compare::Estimate& each : effect.parameters) {
+    for (const identification::Estimate& each : effect.parameters) {
       if (each.key != "delay_ms" && each.key != "time_constant_ms") continue;
       const double size = std::abs(each.value);
       if (size >= shortest_lag * interval || size <= 0.0) continue;
@@ -107,7 +107,7 @@ void warn_of_short_lags(std::vector<data::Warning>& out, const Diagnosis& diagno
 }
 
 // Whether a record without motion has told the spectrum of the noise (replay::give_recorded_noise).
-bool colour_is_known(const noise::NoiseLevel& level) {
+bool colour_is_known(const signals::NoiseLevel& level) {
   return level.colour.starts_with("white, as") || level.colour.starts_with("coloured");
 }
 

@@ -26,7 +26,7 @@
 namespace coilwright::measurement {
 namespace {
 
-using compare::FittedHypothesis;
+using identification::FittedHypothesis;
 using replay::PreparedRun;
 
 using Channels = std::vector<std::vector<double>>;  // one series per channel
@@ -71,7 +71,7 @@ Eigen::VectorXd deviations(const PreparedRun& prepared, const fit::Fit& fitted, 
     const Eigen::Index n = prepared.values_in(ranges[block]);
     out.segment(at, n) = all.segment(row, n);
     const Eigen::Index samples = n / static_cast<Eigen::Index>(prepared.noise.size());
-    for (const noise::NoiseLevel& level : prepared.noise) {
+    for (const signals::NoiseLevel& level : prepared.noise) {
       out.segment(at, samples) *= level.sigma;
       at += samples;
     }

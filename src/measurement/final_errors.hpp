@@ -6,18 +6,18 @@
 
 #include "coilwright/measurement/data/dataset.hpp"
 #include "coilwright/measurement/error_comparison.hpp"
-#include "measurement/compare/fitted_hypothesis.hpp"
+#include "measurement/identification/fitted_hypothesis.hpp"
 #include "measurement/replay/prepared_run.hpp"
 
 namespace coilwright::measurement {
 
 /// Three finished models of the same actuator.
 struct ThreeModels {
-  compare::FittedHypothesis declared;                    ///< as the file declares it
-  compare::FittedHypothesis before;                      ///< recalibrated
-  compare::FittedHypothesis after;                       ///< with the effects
-  double overdispersion{};                               ///< of the residual of `after`
-  std::optional<compare::FittedHypothesis> corrected{};  ///< `after` with a nameless correction of the torque
+  identification::FittedHypothesis declared;                    ///< as the file declares it
+  identification::FittedHypothesis before;                      ///< recalibrated
+  identification::FittedHypothesis after;                       ///< with the effects
+  double overdispersion{};                                      ///< of the residual of `after`
+  std::optional<identification::FittedHypothesis> corrected{};  ///< `after` with a nameless correction of the torque
 };
 
 /// The errors of finished models. This class alone can read sealed runs.

@@ -13,8 +13,8 @@
 #include "coilwright/formats/data/diagnosis_tables.hpp"
 #include "coilwright/formats/data/experiment_file.hpp"
 #include "coilwright/formats/data/plan_json.hpp"
-#include "coilwright/measurement/experiment/experiment_plan.hpp"
-#include "coilwright/measurement/experiment/synthetic_data.hpp"
+#include "coilwright/measurement/planning/experiment_plan.hpp"
+#include "coilwright/measurement/planning/synthetic_data.hpp"
 #include "coilwright/report/plan_text.hpp"
 #include "coilwright/results/asked_diagnosis.hpp"
 #include "coilwright/results/diagnosis_files.hpp"
@@ -30,7 +30,7 @@ namespace coilwright::python {
 namespace {
 
 namespace py = pybind11;
-using measurement::experiment::Experiment;
+using measurement::planning::Experiment;
 
 // A diagnosis with all that it is of.
 struct Diagnosed {
@@ -104,7 +104,7 @@ py::tuple plan(const Planned& planned, const Actuator& actuator, const std::vect
   const formats::DeclaredActuator rig =
       rig_of(actuator, calibrate, exact ? measurement::replay::Tolerances::exact() : measurement::replay::Tolerances{});
   const auto found = interruptible([&](const std::stop_token&) {
-    return measurement::experiment::plan_experiment(planned.experiment, rig.model, {.threads = threads, .seed = seed});
+    return measurement::planning::plan_experiment(planned.experiment, rig.model, {.threads = threads, .seed = seed});
   });
   const formats::PlanReport report{.plan = found, .experiment = planned.origin, .actuator = actuator.origin};
   return py::make_tuple(to_python(formats::to_json(report)), report::to_text(report));
@@ -117,7 +117,7 @@ py::tuple twin(const Actuator& actuator, const Planned& planned, const std::vect
   std::vector<actuator::Effect> effects;
   for (const std::string& each : hidden) effects.push_back(formats::parse_effect(each));
   const auto runs = interruptible([&](const std::stop_token&) {
-    return measurement::experiment::simulate_experiment(planned.experiment, rig.model, effects, seed);
+    return measurement::planning::simulate_experiment(planned.experiment, rig.model, effects, seed);
   });
   std::vector<formats::RunWithRole> in_roles;
   py::dict files;

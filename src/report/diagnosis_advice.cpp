@@ -21,7 +21,7 @@ constexpr double far = 2.0;
 constexpr double very_far = 3.0;
 constexpr std::size_t most_to_measure = 3;
 
-bool is_colour_unknown(const noise::NoiseLevel& level) {
+bool is_colour_unknown(const signals::NoiseLevel& level) {
   return level.colour.starts_with("taken as white");
 }
 
@@ -201,7 +201,7 @@ std::vector<std::string> next_steps(const formats::DiagnosisReport& report) {
   if (const std::vector<std::string> measure = numbers_to_measure(diagnosis); !measure.empty())
     steps.push_back(measuring_step(diagnosis, measure));
   if (diagnosis.next_experiment) {
-    const experiment::NextExperiment& next = *diagnosis.next_experiment;
+    const planning::NextExperiment& next = *diagnosis.next_experiment;
     std::string step = fmt::format("Record this run ({}): {}: {}", next.kind, next.input, next.why);
     if (std::isfinite(next.separation))
       step += fmt::format("; the explanations that are left differ there by {} times the noise",

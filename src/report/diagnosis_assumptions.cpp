@@ -43,7 +43,7 @@ std::string runs_text(const formats::DiagnosisReport& report) {
 std::string calibration_text(const Diagnosis& diagnosis) {
   if (diagnosis.calibration.empty()) return {};
   TextTable table;
-  for (const compare::Estimate& each : diagnosis.calibration) {
+  for (const identification::Estimate& each : diagnosis.calibration) {
     std::vector<std::string> row = estimate_row(each);
     const std::optional<double> declared = formats::in_unit(each).declared;
     row.push_back(declared ? fmt::format("declared {}", number_text(*declared)) : "");
@@ -123,7 +123,7 @@ struct Channel {
   std::size_t from_rest = 0;  // known from a record without motion
   std::set<std::string> colours{};
 
-  void add(const noise::NoiseLevel& level) {
+  void add(const signals::NoiseLevel& level) {
     least = std::min(least, level.sigma);
     most = std::max(most, level.sigma);
     if (level.given)
@@ -144,7 +144,7 @@ struct Channel {
 
 std::string noise_text(const Diagnosis& diagnosis) {
   std::map<std::string, Channel> channels;
-  for (const noise::NoiseLevel& each : diagnosis.noise) channels[each.channel].add(each);
+  for (const signals::NoiseLevel& each : diagnosis.noise) channels[each.channel].add(each);
   std::string text;
   for (const auto& [name, channel] : channels) {
     const units::Unit unit = units::difference_unit(name);

@@ -21,7 +21,8 @@ int digits_of(const EstimateInUnit& shown) {
   return std::clamp(static_cast<int>(places) + 2, 3, 12);
 }
 
-std::string interval_text(const measurement::compare::Estimate& estimate, const EstimateInUnit& shown, int digits) {
+std::string interval_text(const measurement::identification::Estimate& estimate, const EstimateInUnit& shown,
+                          int digits) {
   if (!estimate.determined) return "not determined by these data";
   const bool lower = std::isfinite(shown.lower);
   const bool upper = std::isfinite(shown.upper);
@@ -49,7 +50,7 @@ std::string in_unit_text(double value, const units::Unit& unit) {
   return number_text(units::from_si(value, unit)) + (readable.empty() ? "" : " " + readable);
 }
 
-std::vector<std::string> estimate_row(const measurement::compare::Estimate& estimate) {
+std::vector<std::string> estimate_row(const measurement::identification::Estimate& estimate) {
   const EstimateInUnit shown = formats::in_unit(estimate);
   const int digits = digits_of(shown);
   return {estimate.key, fmt::format("{:.{}g}", shown.value, digits), interval_text(estimate, shown, digits)};

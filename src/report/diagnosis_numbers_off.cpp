@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coilwright/measurement/compare/decision_thresholds.hpp"
+#include "coilwright/measurement/identification/decision_thresholds.hpp"
 
 namespace coilwright::report {
 namespace {
@@ -14,13 +14,13 @@ namespace {
 using namespace measurement;
 
 // The declared number that is meant; null for the shape of the torque, which is several.
-const MovedNumber* declared_of(const Diagnosis& diagnosis, const compare::NumberOff& off) {
+const MovedNumber* declared_of(const Diagnosis& diagnosis, const identification::NumberOff& off) {
   const auto key = [](const MovedNumber& each) -> const std::string& { return each.estimate.key; };
   const auto number = std::ranges::find(diagnosis.nominal, off.name, key);
   return off.estimate && number != diagnosis.nominal.end() ? &*number : nullptr;
 }
 
-std::string free_value_text(const Diagnosis& diagnosis, const compare::NumberOff& off) {
+std::string free_value_text(const Diagnosis& diagnosis, const identification::NumberOff& off) {
   const MovedNumber* number = declared_of(diagnosis, off);
   if (number == nullptr) return "the torque has another shape over the angle than was declared";
   const std::vector<std::string> free = estimate_row(*off.estimate);
@@ -33,7 +33,7 @@ std::string free_value_text(const Diagnosis& diagnosis, const compare::NumberOff
 std::vector<std::string> rivals_of_numbers(const Diagnosis& diagnosis) {
   constexpr double worth_naming = 0.05;
   std::vector<std::string> out;
-  for (const compare::WeighedHypothesis& each : diagnosis.odds.hypotheses)
+  for (const identification::WeighedHypothesis& each : diagnosis.odds.hypotheses)
     if (!each.effects.empty() && each.probability >= worth_naming)
       if (std::string name = fmt::format("{}", fmt::join(formats::ids(each.effects), " + "));
           std::ranges::find(out, name) == out.end())
@@ -47,7 +47,7 @@ std::vector<std::string> rivals_of_numbers(const Diagnosis& diagnosis) {
 
 std::string numbers_off_sentence(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
-  for (const compare::NumberOff& each : diagnosis.numbers_off) names.push_back(each.name);
+  for (const identification::NumberOff& each : diagnosis.numbers_off) names.push_back(each.name);
   const std::vector<std::string> rivals = rivals_of_numbers(diagnosis);
   std::string text = fmt::format(
       "A declared number is off: free from its tolerance, {} {}explains these data far better than within it",
@@ -55,14 +55,14 @@ std::string numbers_off_sentence(const Diagnosis& diagnosis) {
   text += rivals.empty() ? ", and decisively better than any missing effect that was tried."
                          : fmt::format(". Or {} is missing, which explains them about as well: measure {} to know.",
                                        fmt::join(rivals, " or "), names.size() > 1 ? "these numbers" : "that number");
-  if (diagnosis.probability_of_declared < compare::decision_thresholds.least_probability)
+  if (diagnosis.probability_of_declared < identification::decision_thresholds.least_probability)
     text += " Others may be off, too.";
   return text;
 }
 
 std::string numbers_off_text(const Diagnosis& diagnosis) {
   std::string text;
-  for (const compare::NumberOff& each : diagnosis.numbers_off)
+  for (const identification::NumberOff& each : diagnosis.numbers_off)
     text += fmt::format("  {} {}: {};\n    the model gains {:.3g} by that\n", each.name,
                         diagnosis.numbers_off.size() > 1 ? "may be the one that is off" : "is off",
                         free_value_text(diagnosis, each), each.gain);
@@ -74,7 +74,7 @@ std::string numbers_off_text(const Diagnosis& diagnosis) {
 
 std::vector<std::string> numbers_off_to_measure(const Diagnosis& diagnosis) {
   std::vector<std::string> out;
-  for (const compare::NumberOff& each : diagnosis.numbers_off) {
+  for (const identification::NumberOff& each : diagnosis.numbers_off) {
     const MovedNumber* number = declared_of(diagnosis, each);
     out.push_back(number == nullptr ? shape_to_measure()
                                     : fmt::format("{} (declared {}, these data say {})", each.name,

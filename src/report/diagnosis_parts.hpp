@@ -22,7 +22,7 @@ namespace coilwright::report {
 [[nodiscard]] std::string in_unit_text(double value, const units::Unit& unit);
 
 /// Cells of a table: key, value with the digits that its interval bears, interval.
-[[nodiscard]] std::vector<std::string> estimate_row(const measurement::compare::Estimate& estimate);
+[[nodiscard]] std::vector<std::string> estimate_row(const measurement::identification::Estimate& estimate);
 
 /// Where a fit has moved a declared number to: "1.43"; "below -7.85" if it changes nothing there.
 [[nodiscard]] std::string moved_to_text(const measurement::MovedNumber& number);

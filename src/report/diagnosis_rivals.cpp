@@ -29,11 +29,11 @@ constexpr double near_residual = 0.02;  // of the rms residual: models are not k
 constexpr std::size_t most_near = 3;
 constexpr std::size_t most_hinted = 3;
 
-using compare::are_among;
-using compare::WeighedHypothesis;
+using identification::are_among;
+using identification::WeighedHypothesis;
 
 // The id of an effect; where it was compared with further numbers too, with how many it is meant to have.
-std::string name_among(const compare::Posterior& odds, const actuator::EffectKind* kind) {
+std::string name_among(const identification::Posterior& odds, const actuator::EffectKind* kind) {
   const auto is_another = [kind](const actuator::EffectKind* each) { return each != kind && each->id() == kind->id(); };
   const bool is_twice = std::ranges::any_of(
       odds.hypotheses, [&](const WeighedHypothesis& each) { return std::ranges::any_of(each.effects, is_another); });
@@ -42,7 +42,7 @@ std::string name_among(const compare::Posterior& odds, const actuator::EffectKin
 }
 
 // What a hypothesis is called in a sentence: "a + b".
-std::string hypothesis(const compare::Posterior& odds, const WeighedHypothesis& candidate) {
+std::string hypothesis(const identification::Posterior& odds, const WeighedHypothesis& candidate) {
   if (candidate.effects.empty()) return "no effect";
   std::vector<std::string> names;
   for (const actuator::EffectKind* kind : candidate.effects) names.push_back(name_among(odds, kind));
@@ -112,7 +112,7 @@ std::string hinted_text(const Diagnosis& diagnosis) {
   std::string text =
       "  One more effect may be there that these data hint at, too weakly to be reported. All intervals have in them\n"
       "  what it would do:\n";
-  for (const compare::HintedEffect& each :
+  for (const identification::HintedEffect& each :
        std::span(diagnosis.hinted).first(std::min(diagnosis.hinted.size(), most_hinted)))
     text += fmt::format("    {}: the interval of {} is {:.1f} times wider for its sake\n", each.kind->id(), each.number,
                         each.wider);

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
-#include "coilwright/measurement/compare/decision_thresholds.hpp"
+#include "coilwright/measurement/identification/decision_thresholds.hpp"
 #include "coilwright/report/diagnosis_text.hpp"
 #include "coilwright/report/text_table.hpp"
 #include "coilwright/text/one_line.hpp"
@@ -75,14 +75,14 @@ std::string verdict_sentence(const Diagnosis& diagnosis) {
 std::string parameters_text(const AddedEffect& effect) {
   if (effect.parameters.empty()) return "    (no number of its own)\n";
   TextTable table;
-  for (const compare::Estimate& each : effect.parameters) {
+  for (const identification::Estimate& each : effect.parameters) {
     if (each.chosen)
       table.row({each.key, number_text(in_unit(each).value), "(chosen)"});
     else
       table.row(estimate_row(each));
   }
   std::string text = table.text(4, {left, right, left});
-  for (const compare::Estimate& each : effect.parameters)
+  for (const identification::Estimate& each : effect.parameters)
     if (each.has_many_optima)
       text += fmt::format(
           "    {} fits about as well at other values, apart from each other: its interval is coarse. Measure it\n"
@@ -99,7 +99,7 @@ std::string evidence_text(const Diagnosis& diagnosis, const actuator::EffectKind
 
 // What is left over, and whether it is noise.
 std::string residual_line(const Diagnosis& diagnosis) {
-  const compare::WeighedHypothesis* reported = formats::reported_hypothesis(diagnosis);
+  const identification::WeighedHypothesis* reported = formats::reported_hypothesis(diagnosis);
   if (reported == nullptr) return {};
   const auto level = [&](double chi_square) { return number_text(over_noise(diagnosis, chi_square)); };
   const std::string without =
@@ -121,8 +121,9 @@ std::string declared_text(const Diagnosis& diagnosis) {
       "  Without any effect the declared numbers would have to be so far off, all together, that {} of the\n"
       "  rigs built to their tolerances are as far off or further ({}).\n",
       share,
-      probability < compare::decision_thresholds.least_probability ? "below 1 %: they are off, or an effect is missing"
-      : leaves_structure(diagnosis)                                ? "above 1 %: it is not they that are far off"
+      probability < identification::decision_thresholds.least_probability
+          ? "below 1 %: they are off, or an effect is missing"
+      : leaves_structure(diagnosis) ? "above 1 %: it is not they that are far off"
       : diagnosis.numbers_off.empty()
           ? "above 1 %: that may be chance"
           : "above 1 %: taken together that may be chance, though the one that is off is none");

@@ -12,7 +12,7 @@
 namespace coilwright::report {
 namespace {
 
-using namespace measurement::experiment;
+using namespace measurement::planning;
 using enum TextTable::Align;
 
 constexpr std::size_t most_pairs = 20;

@@ -80,7 +80,7 @@ FoundActuators found_actuators(const Diagnosis& diagnosis, const AskedDiagnosis&
 // What is to be recorded next, checked where it will be used: its text is read back.
 std::string next_experiment_text(const Diagnosis& diagnosis) {
   if (!diagnosis.next_experiment) return {};
-  const measurement::experiment::NextExperiment& next = *diagnosis.next_experiment;
+  const measurement::planning::NextExperiment& next = *diagnosis.next_experiment;
   const std::string description =
       fmt::format("Proposed by a diagnosis. The last runs are to be recorded: {}: {}.", next.input, next.why);
   std::string text = formats::experiment_json(next.experiment, description).text();

@@ -11,7 +11,7 @@ namespace {
 
 namespace measurement = coilwright::measurement;
 using coilwright::measurement::Diagnosis;
-using coilwright::measurement::compare::Estimate;
+using coilwright::measurement::identification::Estimate;
 
 bool contains(const std::vector<std::string>& ids, const std::string& id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();

@@ -7,26 +7,26 @@
 #include <vector>
 
 #include "coilwright/measurement/diagnosis.hpp"
-#include "coilwright/measurement/experiment/synthetic_data.hpp"
+#include "coilwright/measurement/planning/synthetic_data.hpp"
 #include "degree.hpp"
 #include "measurement/declared_finger.hpp"
 
 namespace coilwright::measurement {
 namespace {
 
-experiment::Experiment three_short_runs() {
-  experiment::Experiment out{.name = "short", .instruments = {}, .runs = {}};
-  const auto add = [&](const char* name, experiment::InputShape input) {
-    experiment::PlannedRun run{.plan = {.name = name, .kind = data::RunKind::transient, .drive = data::Drive::current},
-                               .input = std::move(input),
-                               .duration = 1.5,
-                               .rate = 200.0};
+planning::Experiment three_short_runs() {
+  planning::Experiment out{.name = "short", .instruments = {}, .runs = {}};
+  const auto add = [&](const char* name, planning::InputShape input) {
+    planning::PlannedRun run{.plan = {.name = name, .kind = data::RunKind::transient, .drive = data::Drive::current},
+                             .input = std::move(input),
+                             .duration = 1.5,
+                             .rate = 200.0};
     run.plan.channels = {{.name = "bending_angle_deg", .kind = data::ChannelKind::bending_angle}};
     out.runs.push_back(std::move(run));
   };
-  add("weak.csv", experiment::StepShape{.after = 0.3, .at = 0.1});
-  add("strong.csv", experiment::StepShape{.after = 0.6, .at = 0.1});
-  add("pulses.csv", experiment::PulseShape{.high = 0.6, .period = 0.5, .duty = 0.5});
+  add("weak.csv", planning::StepShape{.after = 0.3, .at = 0.1});
+  add("strong.csv", planning::StepShape{.after = 0.6, .at = 0.1});
+  add("pulses.csv", planning::PulseShape{.high = 0.6, .period = 0.5, .duty = 0.5});
   out.instruments.angle.noise = 0.3 * degree;
   return out;
 }
@@ -40,12 +40,12 @@ TEST_P(Attraction, IsNamedAndWithinItsIntervalsInShortRuns) {
                                 .values = {torque, range, 1.0}};
   data::Dataset data;
   data.name = "twin";
-  data.fit = experiment::simulate_experiment(three_short_runs(), finger().model, std::span(&hidden, 1), GetParam());
+  data.fit = planning::simulate_experiment(three_short_runs(), finger().model, std::span(&hidden, 1), GetParam());
   const Diagnosis found = diagnose(data, finger().model, {.threads = 2, .seed = 1});
   ASSERT_EQ(found.verdict, Verdict::explained);
   ASSERT_EQ(found.effects.size(), 1u);
   EXPECT_EQ(found.effects.front().kind->id(), "static_attraction");
-  const std::vector<compare::Estimate>& numbers = found.effects.front().parameters;
+  const std::vector<identification::Estimate>& numbers = found.effects.front().parameters;
   EXPECT_LT(numbers[0].lower, torque);
   EXPECT_GT(numbers[0].upper, torque);
   EXPECT_LT(numbers[1].lower, range);

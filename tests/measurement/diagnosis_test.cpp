@@ -121,7 +121,7 @@ TEST(Diagnose, FindsTheMisreadAngle) {
   const Diagnosis diagnosis = diagnose(set_with({misread("v.csv", 1.0, 3)}), slide(2.2, 2.7), {.threads = 2});
   ASSERT_EQ(diagnosis.effects.size(), 1u);
   EXPECT_EQ(diagnosis.effects.front().kind->id(), "angle_offset");
-  const compare::Estimate& angle = diagnosis.effects.front().parameters.front();
+  const identification::Estimate& angle = diagnosis.effects.front().parameters.front();
   EXPECT_NEAR(angle.value, 10.0 * noise_sigma, 0.3 * noise_sigma);
   EXPECT_LE(angle.lower, 10.0 * noise_sigma);
   EXPECT_GE(angle.upper, 10.0 * noise_sigma);

@@ -16,15 +16,15 @@
 namespace coilwright::measurement {
 namespace {
 
-compare::FittedHypothesis fitted_to(const replay::DeclaredModel& declared, const data::Run& run) {
+identification::FittedHypothesis fitted_to(const replay::DeclaredModel& declared, const data::Run& run) {
   fit::Hypothesis hypothesis(declared, {});
   const std::vector runs{replay::prepare_run(run, declared, hypothesis.model_at(hypothesis.start()))};
   auto found = fit::fit({.hypothesis = &hypothesis, .runs = runs, .start = hypothesis.start()});
   EXPECT_TRUE(found);
-  return compare::score(runs, std::move(hypothesis), std::move(*found));
+  return identification::score(runs, std::move(hypothesis), std::move(*found));
 }
 
-ThreeModels same_models(const compare::FittedHypothesis& model) {
+ThreeModels same_models(const identification::FittedHypothesis& model) {
   return {.declared = model, .before = model, .after = model, .overdispersion = 1.0};
 }
 
@@ -38,7 +38,7 @@ TEST(FinalErrors, StateTheUncertaintyDueToTheFittedNumbers) {
   double stated = 0.0;
   for (int seed = 1; seed <= draws; ++seed) {
     Normal normal(static_cast<std::uint64_t>(seed));
-    const compare::FittedHypothesis model =
+    const identification::FittedHypothesis model =
         fitted_to(declared, slide_run(60, {}, [&] { return noise_sigma * normal(); }));
     const FinalErrors errors(data::SealedRuns(judged), declared, same_models(model), {});
     ASSERT_EQ(errors.errors().size(), 1U);
@@ -86,7 +86,7 @@ std::vector<double> times_of(const data::Run& run, const Wrong& wrong) {
 // two large ones those that are smaller. Without them the error is the noise, and each of them is listed.
 TEST(FinalErrors, LeaveOutliersOutOfARunWithHum) {
   const replay::DeclaredModel declared = slide(2.2, 2.7);
-  const compare::FittedHypothesis model = fitted_to(declared, slide_run(400, {}, no_error));
+  const identification::FittedHypothesis model = fitted_to(declared, slide_run(400, {}, no_error));
   for (const Wrong& wrong : {Wrong{{10, -40.0},
                                    {21, 52.0},
                                    {33, 64.0},
@@ -114,7 +114,7 @@ TEST(FinalErrors, LeaveOutliersOutOfARunWithHum) {
 // Five of 41 pictures are wrong, and pull the hum with them, by which the others are then off from one to the next.
 TEST(FinalErrors, LeaveManyOutliersOutOfAShortRun) {
   const replay::DeclaredModel declared = slide(2.2, 2.7);
-  const compare::FittedHypothesis model = fitted_to(declared, slide_run(400, {}, no_error));
+  const identification::FittedHypothesis model = fitted_to(declared, slide_run(400, {}, no_error));
   const Wrong wrong{{5, 40.0}, {10, 40.0}, {20, 12.0}, {25, 40.0}, {30, 12.0}};
   const HummingRun made = humming_run(41, wrong);
   const FinalErrors errors(data::SealedRuns({made.run}), declared, same_models(model), std::vector{made.still});

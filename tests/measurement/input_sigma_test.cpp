@@ -7,7 +7,7 @@
 
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
-#include "coilwright/measurement/experiment/synthetic_data.hpp"
+#include "coilwright/measurement/planning/synthetic_data.hpp"
 
 namespace coilwright::measurement {
 namespace {
@@ -33,23 +33,23 @@ replay::DeclaredModel pendulum() {
           }};
 }
 
-experiment::Experiment motor_runs() {
-  experiment::Experiment out{.name = "motor", .instruments = {}, .runs = {}};
-  const auto add = [&](const char* name, experiment::InputShape input) {
-    experiment::PlannedRun run{.plan = {.name = name,
-                                        .kind = data::RunKind::transient,
-                                        .drive = data::Drive::torque,
-                                        .start = data::Start::free,
-                                        .input_uncertainty = {.sigma = {torque_sigma}}},
-                               .input = std::move(input),
-                               .duration = 3.0,
-                               .rate = 250.0};
+planning::Experiment motor_runs() {
+  planning::Experiment out{.name = "motor", .instruments = {}, .runs = {}};
+  const auto add = [&](const char* name, planning::InputShape input) {
+    planning::PlannedRun run{.plan = {.name = name,
+                                      .kind = data::RunKind::transient,
+                                      .drive = data::Drive::torque,
+                                      .start = data::Start::free,
+                                      .input_uncertainty = {.sigma = {torque_sigma}}},
+                             .input = std::move(input),
+                             .duration = 3.0,
+                             .rate = 250.0};
     run.plan.channels = {{.name = "theta1_deg", .kind = data::ChannelKind::joint_angle}};
     out.runs.push_back(std::move(run));
   };
-  add("slow.csv", experiment::SineShape{.amplitude = 0.6, .frequency = 0.8});
-  add("fast.csv", experiment::SineShape{.amplitude = 0.3, .frequency = 1.7});
-  add("step.csv", experiment::StepShape{.after = 0.5, .at = 0.5});
+  add("slow.csv", planning::SineShape{.amplitude = 0.6, .frequency = 0.8});
+  add("fast.csv", planning::SineShape{.amplitude = 0.3, .frequency = 1.7});
+  add("step.csv", planning::StepShape{.after = 0.5, .at = 0.5});
   out.instruments.angle.noise = 3e-4;
   return out;
 }
@@ -59,7 +59,7 @@ Diagnosis diagnosed(std::span<const actuator::Effect> hidden, bool declared, std
   const replay::DeclaredModel model = pendulum();
   data::Dataset data;
   data.name = "motor";
-  data.fit = experiment::simulate_experiment(motor_runs(), model, hidden, seed);
+  data.fit = planning::simulate_experiment(motor_runs(), model, hidden, seed);
   if (!declared)
     for (data::Run& run : data.fit) run.input_uncertainty = {};
   return diagnose(data, model, {.threads = 2});
@@ -71,7 +71,7 @@ TEST(InputSigma, NamesAFrictionThatANoisyTorqueHides) {
   EXPECT_EQ(found.verdict, Verdict::explained);
   ASSERT_EQ(found.effects.size(), 1u);
   EXPECT_EQ(found.effects.front().kind->id(), "dry_friction");
-  const compare::Estimate& torque = found.effects.front().parameters.front();
+  const identification::Estimate& torque = found.effects.front().parameters.front();
   EXPECT_LT(torque.lower, friction);
   EXPECT_GT(torque.upper, friction);
   // Wider than against the noise of the encoder alone, by which 0.05 N m would be known to a thousandth.

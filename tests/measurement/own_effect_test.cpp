@@ -89,7 +89,7 @@ TEST(OwnEffect, IsFoundInMeasuredMotionAndWrittenIntoTheActuator) {
   EXPECT_EQ(diagnosis.verdict, Verdict::explained);
   ASSERT_EQ(diagnosis.effects.size(), 1u);
   EXPECT_EQ(diagnosis.effects.front().kind, &push);
-  const compare::Estimate& strength = diagnosis.effects.front().parameters.front();
+  const identification::Estimate& strength = diagnosis.effects.front().parameters.front();
   EXPECT_LE(strength.lower, 1.0);
   EXPECT_GE(strength.upper, 1.0);
 

@@ -11,10 +11,11 @@ using namespace measurement;
 using ::testing::HasSubstr;
 
 // Free, with what the interval is of.
-compare::NumberOff off(const char* name, double value, double half_width, double gain) {
+identification::NumberOff off(const char* name, double value, double half_width, double gain) {
   return {.name = name,
           .estimate =
-              compare::Estimate{.key = name, .value = value, .lower = value - half_width, .upper = value + half_width},
+              identification::Estimate{
+                  .key = name, .value = value, .lower = value - half_width, .upper = value + half_width},
           .gain = gain};
 }
 

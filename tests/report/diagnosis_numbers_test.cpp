@@ -14,7 +14,7 @@ using ::testing::Not;
 
 TEST(DiagnosisNumbers, SaysWhichSideOfAnIntervalIsOpen) {
   Diagnosis diagnosis = example();
-  compare::Estimate& estimate = diagnosis.effects[0].parameters[0];
+  identification::Estimate& estimate = diagnosis.effects[0].parameters[0];
   estimate.upper = infinity;
   EXPECT_THAT(text_of(diagnosis), HasSubstr("0.61  at least 0.58 (95 %)"));
   estimate = {.key = estimate.key, .value = 0.61e-3, .lower = -infinity, .upper = 0.64e-3};
@@ -43,7 +43,7 @@ TEST(DiagnosisNumbers, SaysOfOneWithManyOptimaThatItsIntervalIsCoarse) {
 
 TEST(DiagnosisNumbers, HasAsManyDigitsAsAnIntervalBears) {
   Diagnosis diagnosis = example();
-  compare::Estimate& estimate = diagnosis.effects[0].parameters[0];
+  identification::Estimate& estimate = diagnosis.effects[0].parameters[0];
   estimate.value = 12.50034e-3;
   estimate.lower = 12.49921e-3;
   estimate.upper = 12.50147e-3;

@@ -7,7 +7,7 @@
 namespace coilwright::report {
 namespace {
 
-using measurement::experiment::ExperimentPlan;
+using measurement::planning::ExperimentPlan;
 using ::testing::HasSubstr;
 using ::testing::Not;
 

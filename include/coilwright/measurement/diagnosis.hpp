@@ -10,35 +10,35 @@
 #include <vector>
 
 #include "coilwright/actuator/model/effect_catalogue.hpp"
-#include "coilwright/measurement/compare/estimate.hpp"
-#include "coilwright/measurement/compare/hinted_effect.hpp"
-#include "coilwright/measurement/compare/number_off.hpp"
-#include "coilwright/measurement/compare/posterior.hpp"
-#include "coilwright/measurement/compare/verdict.hpp"
 #include "coilwright/measurement/correction/nameless_correction.hpp"
 #include "coilwright/measurement/data/dataset.hpp"
 #include "coilwright/measurement/error_comparison.hpp"
-#include "coilwright/measurement/experiment/next_experiment.hpp"
+#include "coilwright/measurement/identification/estimate.hpp"
+#include "coilwright/measurement/identification/hinted_effect.hpp"
+#include "coilwright/measurement/identification/number_off.hpp"
+#include "coilwright/measurement/identification/posterior.hpp"
+#include "coilwright/measurement/identification/verdict.hpp"
 #include "coilwright/measurement/localise/residual_torque.hpp"
-#include "coilwright/measurement/noise/noise_level.hpp"
+#include "coilwright/measurement/planning/next_experiment.hpp"
 #include "coilwright/measurement/replay/declared_model.hpp"
 #include "coilwright/measurement/replay/known_fits.hpp"
-#include "coilwright/measurement/whiteness/whiteness_test.hpp"
+#include "coilwright/measurement/signals/noise_level.hpp"
+#include "coilwright/measurement/signals/whiteness_test.hpp"
 
 namespace coilwright::measurement {
 
-using compare::name_of;
-using compare::Verdict;
+using identification::name_of;
+using identification::Verdict;
 
 /// An effect that the diagnosis adds to the declared model.
 struct AddedEffect {
   const actuator::EffectKind* kind{};
-  std::vector<compare::Estimate> parameters{};
+  std::vector<identification::Estimate> parameters{};
 };
 
 /// A declared number with a tolerance, and where the data move it.
 struct MovedNumber {
-  compare::Estimate estimate{};
+  identification::Estimate estimate{};
   double declared{};   ///< SI
   double tolerance{};  ///< one standard deviation, SI
   bool named{};        ///< whether the data set names the tolerance; otherwise it is a default
@@ -58,12 +58,13 @@ struct Phase {
 struct Diagnosis {
   Verdict verdict{};
   std::vector<AddedEffect> effects{};
-  compare::Posterior odds{};  ///< of the hypotheses that were fitted; of those that were compared, where interrupted
+  identification::Posterior
+      odds{};  ///< of the hypotheses that were fitted; of those that were compared, where interrupted
   /// Effects beside those that the data hint at, and whose absence they do not show: intervals have what they would do.
-  std::vector<compare::HintedEffect> hinted{};
+  std::vector<identification::HintedEffect> hinted{};
   /// Sets of effects that these data cannot distinguish.
   std::vector<std::vector<const actuator::EffectKind*>> indistinguishable{};
-  std::vector<compare::Estimate> calibration{};
+  std::vector<identification::Estimate> calibration{};
   std::vector<MovedNumber> nominal{};  ///< declared numbers within their tolerances, in the order of the model
   /// What the records leave of the numbers together, SI, (n, n): calibration_of() first, then the numbers of each
   /// effect in turn. Zeros in rows and columns of a choice and of what they do not determine. Its standard deviations
@@ -73,21 +74,21 @@ struct Diagnosis {
   double probability_of_declared = 1.0;
   /// The declared numbers of which one is off by itself, where no effect is reported and that leaves noise: the best
   /// first, those from which these data do not tell it behind it. Empty where none is.
-  std::vector<compare::NumberOff> numbers_off{};
+  std::vector<identification::NumberOff> numbers_off{};
   /// How many times the noise the answer was taken to be wrong when tolerances, and what is known of inputs and starts,
   /// were weighed against it; 1: they were weighed against noise.
   double model_error = 1.0;
   std::vector<std::string> held_exact{};  ///< declared numbers of which nothing was assumed but that they are exact
   std::vector<Outliers> outliers{};       ///< those of the fit runs first
-  whiteness::WhitenessResult before{}, after{};
+  signals::WhitenessResult before{}, after{};
   std::optional<localise::ResidualTorque> residual{};  ///< of the model with the effects; nothing if no run is a motion
   /// A torque without a name, where structure remains (partly_explained, unexplained) and the data carry one. It
   /// decides nothing: verdict and effects are those without it.
   correction::CorrectionOutcome correction{};
-  std::optional<experiment::NextExperiment> next_experiment{};
+  std::optional<planning::NextExperiment> next_experiment{};
   std::vector<ErrorComparison> fit_errors{}, validate_errors{};
   std::vector<Replay> replays{};
-  std::vector<noise::NoiseLevel> noise{};
+  std::vector<signals::NoiseLevel> noise{};
   std::vector<data::Warning> warnings{};
   /// Of the first run that begins far from where the declared model rests; also among the warnings.
   std::optional<data::Warning> far_first_pose{};
@@ -111,7 +112,7 @@ struct DiagnosisOptions {
   /// each hypothesis that was compared since; never from two threads at once. Nothing that costs a simulation is in it.
   std::function<void(const Diagnosis&)> known{};
   std::shared_ptr<const replay::KnownFits> known_fits{};  ///< of the same question; null: every fit is made
-  std::vector<compare::Belief> beliefs{};                 ///< of effects of the catalogue, each at most once
+  std::vector<identification::Belief> beliefs{};          ///< of effects of the catalogue, each at most once
   /// Effects that the declared model may lack; the diagnosis refers to their kinds.
   actuator::EffectCatalogue effects = actuator::standard_effects();
 };

@@ -68,10 +68,10 @@ Tolerances read_tolerances(const Node& node) {
   return out;
 }
 
-std::vector<measurement::compare::Belief> read_beliefs(const Node& node) {
+std::vector<measurement::identification::Belief> read_beliefs(const Node& node) {
   std::vector<std::string> known;
   for (const actuator::EffectKind* kind : actuator::standard_effects().kinds()) known.emplace_back(kind->id());
-  std::vector<measurement::compare::Belief> out;
+  std::vector<measurement::identification::Belief> out;
   for (const Node& each : node.members()) {
     if (std::ranges::find(known, each.key()) == known.end())
       throw each.error_without_value("must be called by the id of an effect (coilwright list effects)" +

@@ -56,7 +56,7 @@ std::vector<const ErrorComparison*> main_first(std::span<const ErrorComparison> 
   return out;
 }
 
-EstimateInUnit in_unit(const measurement::compare::Estimate& estimate) {
+EstimateInUnit in_unit(const measurement::identification::Estimate& estimate) {
   const std::string_view key = units::key_with_unit(estimate.key);
   return {.value = units::from_memory(estimate.value, key),
           .lower = units::from_memory(estimate.lower, key),
@@ -82,16 +82,16 @@ bool is_reported(const measurement::Diagnosis& diagnosis, std::span<const actuat
          });
 }
 
-const measurement::compare::WeighedHypothesis* reported_hypothesis(const measurement::Diagnosis& diagnosis) {
+const measurement::identification::WeighedHypothesis* reported_hypothesis(const measurement::Diagnosis& diagnosis) {
   const auto found =
-      std::ranges::find_if(diagnosis.odds.hypotheses, [&](const measurement::compare::WeighedHypothesis& each) {
+      std::ranges::find_if(diagnosis.odds.hypotheses, [&](const measurement::identification::WeighedHypothesis& each) {
         return diagnosis.effects.empty() ? each.effects.empty() : is_reported(diagnosis, each.effects);
       });
   return found == diagnosis.odds.hypotheses.end() ? nullptr : &*found;
 }
 
 double chi_square_without_effects(const measurement::Diagnosis& diagnosis) {
-  for (const measurement::compare::WeighedHypothesis& each : diagnosis.odds.hypotheses)
+  for (const measurement::identification::WeighedHypothesis& each : diagnosis.odds.hypotheses)
     if (each.effects.empty()) return each.chi_square;
   return std::numeric_limits<double>::quiet_NaN();
 }

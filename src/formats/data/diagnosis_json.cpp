@@ -22,7 +22,7 @@ Json ids_json(std::span<const actuator::EffectKind* const> kinds) {
   return Json::list(ids(kinds));
 }
 
-Json estimate_json(const compare::Estimate& estimate) {
+Json estimate_json(const identification::Estimate& estimate) {
   const EstimateInUnit shown = in_unit(estimate);
   Json out = Json::object({{"value", number_or_null(shown.value)},
                            {"ci95", Json::array({number_or_null(shown.lower), number_or_null(shown.upper)})}});
@@ -33,9 +33,9 @@ Json estimate_json(const compare::Estimate& estimate) {
   return out;
 }
 
-Json estimates_json(std::span<const compare::Estimate> estimates) {
+Json estimates_json(std::span<const identification::Estimate> estimates) {
   Json out = Json::object();
-  for (const compare::Estimate& each : estimates) out.set(each.key, estimate_json(each));
+  for (const identification::Estimate& each : estimates) out.set(each.key, estimate_json(each));
   return out;
 }
 
@@ -55,13 +55,13 @@ Json nominal_json(const Diagnosis& diagnosis) {
 }
 
 // Of the shape of the torque no number is known.
-Json number_off_json(const compare::NumberOff& each) {
+Json number_off_json(const identification::NumberOff& each) {
   Json out = Json::object({{"name", each.name}, {"criterion_gain", each.gain}});
   if (each.estimate) out.set("estimate", estimate_json(*each.estimate));
   return out;
 }
 
-Json hinted_json(const compare::HintedEffect& each) {
+Json hinted_json(const identification::HintedEffect& each) {
   return Json::object(
       {{"id", each.kind->id()}, {"criterion_gain", each.gain}, {"number", each.number}, {"wider", each.wider}});
 }
@@ -115,7 +115,7 @@ Json comparisons_json(std::span<const ErrorComparison> comparisons) {
 
 Json next_experiment_json(const DiagnosisReport& report) {
   if (!report.diagnosis.next_experiment) return nullptr;
-  const experiment::NextExperiment& next = *report.diagnosis.next_experiment;
+  const planning::NextExperiment& next = *report.diagnosis.next_experiment;
   return Json::object({{"kind", next.kind},
                        {"input", next.input},
                        {"why", next.why},
@@ -157,7 +157,7 @@ Json correction_json(const Diagnosis& diagnosis) {
        {"smallest", place_json(found, found.smallest)}});
 }
 
-Json candidate_json(const compare::WeighedHypothesis& each) {
+Json candidate_json(const identification::WeighedHypothesis& each) {
   return Json::object({{"effects", ids_json(each.effects)},
                        {"probability", number_or_null(each.probability)},
                        {"log_evidence", number_or_null(each.log_evidence)},
@@ -167,15 +167,15 @@ Json candidate_json(const compare::WeighedHypothesis& each) {
                        {"probability_of_noise", number_or_null(each.probability_of_noise)}});
 }
 
-Json ruled_out_json(const compare::RuledOut& each) {
+Json ruled_out_json(const identification::RuledOut& each) {
   return Json::object({{"effects", ids_json(each.effects)}, {"remark", each.remark}});
 }
 
 // Of each effect in a hypothesis that was fitted, the most probable first; of no effect; and of what is reported, that
 // what it leaves is noise.
 Json odds_json(const Diagnosis& diagnosis) {
-  const compare::Posterior& odds = diagnosis.odds;
-  const compare::WeighedHypothesis* reported = reported_hypothesis(diagnosis);
+  const identification::Posterior& odds = diagnosis.odds;
+  const identification::WeighedHypothesis* reported = reported_hypothesis(diagnosis);
   if (reported == nullptr) return nullptr;
   Json effects = Json::object();
   for (const auto& [id, probability] : odds.effects()) effects.set(std::string(id), probability);
@@ -184,7 +184,7 @@ Json odds_json(const Diagnosis& diagnosis) {
                        {"noise", number_or_null(reported->probability_of_noise)}});
 }
 
-Json adequacy_json(const whiteness::WhitenessResult& adequacy) {
+Json adequacy_json(const signals::WhitenessResult& adequacy) {
   return Json::object({{"level", number_or_null(adequacy.level)},
                        {"structure", number_or_null(adequacy.structure)},
                        {"where", text_or_null(adequacy.where)},
@@ -212,7 +212,7 @@ Json residual_json(const Diagnosis& diagnosis) {
                        {"frequency_Hz", number_or_null(residual.frequency)}});
 }
 
-Json noise_json(const noise::NoiseLevel& each) {
+Json noise_json(const signals::NoiseLevel& each) {
   const units::Unit unit = units::difference_unit(each.channel);
   return Json::object({{"run", each.run},
                        {"channel", each.channel},

@@ -20,8 +20,8 @@ namespace {
 using namespace text;
 using measurement::Replay;
 using measurement::data::ChannelKind;
-using measurement::experiment::ExpectedReading;
-using measurement::experiment::NextExperiment;
+using measurement::planning::ExpectedReading;
+using measurement::planning::NextExperiment;
 
 // The column that holds the place of a sample.
 std::string_view axis_of(ChannelKind kind) {

@@ -20,7 +20,7 @@ namespace {
 
 using namespace text;
 using namespace measurement::data;
-using namespace measurement::experiment;
+using namespace measurement::planning;
 
 // Bounds far beyond any rig, and low enough that a wrong file is refused before it is simulated.
 constexpr Rule angle_rule = Rule::between(-180.0, 180.0);  // deg

@@ -17,8 +17,8 @@ using measurement::data::Drive;
 using measurement::data::RigChange;
 using measurement::data::Run;
 using measurement::data::RunKind;
-using measurement::experiment::Experiment;
-using measurement::experiment::PlannedRun;
+using measurement::planning::Experiment;
+using measurement::planning::PlannedRun;
 
 void add_time_axis(Json& out, const PlannedRun& run) {
   out.set("duration_s", run.duration).set("sampling_rate_Hz", run.rate);

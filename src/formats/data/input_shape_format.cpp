@@ -18,7 +18,7 @@ namespace coilwright::formats {
 namespace {
 
 using namespace text;
-using namespace measurement::experiment;
+using namespace measurement::planning;
 using measurement::data::Drive;
 
 // Bounds far beyond any rig, and low enough that a wrong file is refused before it is simulated.

@@ -18,7 +18,7 @@ namespace coilwright::formats {
 namespace {
 
 using namespace text;
-using namespace measurement::experiment;
+using namespace measurement::planning;
 using measurement::data::Drive;
 
 // What instruments are called in the file and on the command line.

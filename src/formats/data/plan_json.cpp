@@ -10,7 +10,7 @@ namespace coilwright::formats {
 namespace {
 
 using namespace text;
-using namespace measurement::experiment;
+using namespace measurement::planning;
 using actuator::Effect;
 
 Json visible_effect_json(const VisibleEffect& effect) {

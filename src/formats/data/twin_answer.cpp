@@ -4,7 +4,7 @@
 #include "formats/data/experiment_parts.hpp"
 
 namespace coilwright::formats {
-using measurement::experiment::Instrument;
+using measurement::planning::Instrument;
 using text::Json;
 
 Json to_json(const TwinAnswer& answer) {

@@ -8,16 +8,16 @@
 #include <utility>
 #include <vector>
 
-#include "measurement/compare/staged_fit.hpp"
 #include "measurement/correction/correction_picture.hpp"
 #include "measurement/correction/held_out.hpp"
 #include "measurement/correction/linear_gain.hpp"
 #include "measurement/correction/rest_after_release.hpp"
+#include "measurement/identification/staged_fit.hpp"
 
 namespace coilwright::measurement::correction {
 namespace {
 
-using compare::FittedHypothesis;
+using identification::FittedHypothesis;
 
 // Of runs left out in turn, the mean share of the squared residual above the noise that a correction must take away
 // from every model that stands without it.
@@ -86,14 +86,14 @@ class Search {
   }
 
   [[nodiscard]] std::optional<FittedHypothesis> fitted(const Candidate& candidate) {
-    compare::PlannedFit plan = with(*candidate.kind);
+    identification::PlannedFit plan = with(*candidate.kind);
     plan.start = start_of(plan, candidate.promise.step);
     fit::FitRequest asked = request(plan);
     asked.effort = effort;
     asked.updates_derivatives = true;
     auto found = fit::fit(asked);
     if (!found) return std::nullopt;
-    return compare::score(runs_, plan.hypothesis, std::move(*found));
+    return identification::score(runs_, plan.hypothesis, std::move(*found));
   }
 
  private:
@@ -101,7 +101,7 @@ class Search {
     auto basis = correction_basis(shape, samples);
     if (!basis) return std::nullopt;
     const CorrectionKind kind(*basis, torque_, 1.0);
-    const compare::PlannedFit plan = with(kind);
+    const identification::PlannedFit plan = with(kind);
     const auto at_zero = fit::evaluate_with_jacobian(request(plan));
     if (!at_zero) return std::nullopt;
     LinearGain promise = linear_gain(plan.hypothesis, *at_zero, basis->size());
@@ -109,11 +109,11 @@ class Search {
     auto chosen = std::make_shared<const CorrectionKind>(std::move(*basis), torque_, promise.deviation);
     return Candidate{.kind = std::move(chosen), .promise = std::move(promise)};
   }
-  [[nodiscard]] compare::PlannedFit with(const CorrectionKind& kind) const {
+  [[nodiscard]] identification::PlannedFit with(const CorrectionKind& kind) const {
     const actuator::Effect none = kind.none();
-    return compare::with_added_effects(base_, std::span(&none, 1));
+    return identification::with_added_effects(base_, std::span(&none, 1));
   }
-  [[nodiscard]] fit::FitRequest request(const compare::PlannedFit& plan) const {
+  [[nodiscard]] fit::FitRequest request(const identification::PlannedFit& plan) const {
     return {.hypothesis = &plan.hypothesis,
             .runs = runs_,
             .start = plan.start,
@@ -121,9 +121,9 @@ class Search {
             .derivatives_from = &base_.fit};
   }
   // As far along the step as the squared residual falls.
-  [[nodiscard]] Eigen::VectorXd start_of(const compare::PlannedFit& plan, const Eigen::VectorXd& step) {
+  [[nodiscard]] Eigen::VectorXd start_of(const identification::PlannedFit& plan, const Eigen::VectorXd& step) {
     for (const double share : {1.0, 0.5, 0.2}) {
-      compare::PlannedFit there = plan;
+      identification::PlannedFit there = plan;
       there.start = plan.hypothesis.clamped(plan.start + share * step);
       const auto found = fit::evaluate_at(request(there));
       if (found && found->objective() < base_.fit.objective()) return there.start;
@@ -148,7 +148,8 @@ std::string impossible(std::span<const replay::PreparedRun> runs, const actuator
 
 }  // namespace
 
-FoundCorrection find_correction(std::span<const replay::PreparedRun> runs, const compare::Attribution& attribution,
+FoundCorrection find_correction(std::span<const replay::PreparedRun> runs,
+                                const identification::Attribution& attribution,
                                 const std::optional<localise::ResidualTorque>& residual,
                                 const std::function<void(const std::string&)>& progress) {
   FoundCorrection out;

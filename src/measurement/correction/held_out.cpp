@@ -16,7 +16,7 @@ constexpr fit::FitEffort short_effort{.iterations = 2, .tolerance = 1e-2};
 }  // namespace
 
 std::vector<double> held_out_squares(std::span<const replay::PreparedRun> runs,
-                                     const compare::FittedHypothesis& fitted) {
+                                     const identification::FittedHypothesis& fitted) {
   std::vector<double> out(runs.size(), std::numeric_limits<double>::infinity());
   const std::size_t groups = std::min(most_groups, runs.size());
   for (std::size_t group = 0; group < groups; ++group) {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "measurement/compare/fitted_hypothesis.hpp"
+#include "measurement/identification/fitted_hypothesis.hpp"
 
 namespace coilwright::measurement::correction {
 
@@ -11,7 +11,7 @@ namespace coilwright::measurement::correction {
 /// in at most five groups, and the others fitted anew from `fitted` in a few steps. Infinite where that cannot be
 /// simulated.
 [[nodiscard]] std::vector<double> held_out_squares(std::span<const replay::PreparedRun> runs,
-                                                   const compare::FittedHypothesis& fitted);
+                                                   const identification::FittedHypothesis& fitted);
 
 /// Mean over all motions of the share of the squared residual above the noise that `with` takes away from `without`;
 /// where it adds some, minus the share of its own. Each of the motions counts the same, from -1 to 1: a long one is no

@@ -58,7 +58,8 @@ class Visits {
 
 }  // namespace
 
-VisitedStates visited_states(std::span<const replay::PreparedRun> runs, const compare::FittedHypothesis& fitted) {
+VisitedStates visited_states(std::span<const replay::PreparedRun> runs,
+                             const identification::FittedHypothesis& fitted) {
   Visits visits;
   const actuator::ModelSpec spec = fitted.hypothesis.spec_at(fitted.fit.values);
   for (std::size_t r = 0; r < runs.size(); ++r) {

@@ -7,7 +7,7 @@
 
 #include "coilwright/actuator/model/torque_correction.hpp"
 #include "coilwright/simulation/state.hpp"
-#include "measurement/compare/fitted_hypothesis.hpp"
+#include "measurement/identification/fitted_hypothesis.hpp"
 
 namespace coilwright::measurement::correction {
 
@@ -32,6 +32,6 @@ struct VisitedStates {
 
 /// The motions of the fit runs as `fitted` simulates them. Runs that cannot be simulated are left out.
 [[nodiscard]] VisitedStates visited_states(std::span<const replay::PreparedRun> runs,
-                                           const compare::FittedHypothesis& fitted);
+                                           const identification::FittedHypothesis& fitted);
 
 }  // namespace coilwright::measurement::correction

@@ -98,20 +98,19 @@ std::optional<Fit> evaluate_with_jacobian(const FitRequest& request) {
 
 namespace {
 
-std::vector<whiteness::ScaledResidual::KnownBand> known_bands(const replay::PreparedRun& prepared,
-                                                              std::size_t channel) {
-  std::vector<whiteness::ScaledResidual::KnownBand> out;
+std::vector<signals::ScaledResidual::KnownBand> known_bands(const replay::PreparedRun& prepared, std::size_t channel) {
+  std::vector<signals::ScaledResidual::KnownBand> out;
   if (channel >= prepared.whiteners.size() || prepared.whiteners[channel] == nullptr) return out;
-  const noise::Whitener& whitener = *prepared.whiteners[channel];
-  for (const noise::NoiseColour::Band& band : whitener.colour().bands)
+  const signals::Whitener& whitener = *prepared.whiteners[channel];
+  for (const signals::NoiseColour::Band& band : whitener.colour().bands)
     out.push_back({.to = band.to * whitener.interval(), .freedom = band.freedom});
   return out;
 }
 
 }  // namespace
 
-std::vector<whiteness::ScaledResidual> scaled_residuals(std::span<const replay::PreparedRun> runs, const Fit& fit) {
-  std::vector<whiteness::ScaledResidual> out;
+std::vector<signals::ScaledResidual> scaled_residuals(std::span<const replay::PreparedRun> runs, const Fit& fit) {
+  std::vector<signals::ScaledResidual> out;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const data::Run& run = *runs[r].run;
     const std::size_t channels = run.channels.size();
@@ -125,7 +124,7 @@ std::vector<whiteness::ScaledResidual> scaled_residuals(std::span<const replay::
     Eigen::Index at = 0;
     for (const replay::SampleRange& range : runs[r].sample_ranges()) {
       for (std::size_t c = 0; c < channels; ++c) {
-        whiteness::ScaledResidual& series = out[first + c];
+        signals::ScaledResidual& series = out[first + c];
         series.starts.push_back(series.values.size());
         for (std::size_t i = range.first; i < range.last; ++i) {
           series.values.push_back(fit.runs[r].residuals[at++]);

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "coilwright/measurement/whiteness/scaled_residual.hpp"
+#include "coilwright/measurement/signals/scaled_residual.hpp"
 #include "measurement/fit/fit_request.hpp"
 #include "measurement/fit/hypothesis.hpp"
 #include "measurement/replay/prepared_run.hpp"
@@ -64,7 +64,7 @@ struct Fit {
 [[nodiscard]] std::optional<Fit> evaluate_with_jacobian(const FitRequest& request);
 
 /// The residuals of a fit as whiteness tests take them: one series per channel of each run.
-[[nodiscard]] std::vector<whiteness::ScaledResidual> scaled_residuals(std::span<const replay::PreparedRun> runs,
-                                                                      const Fit& fit);
+[[nodiscard]] std::vector<signals::ScaledResidual> scaled_residuals(std::span<const replay::PreparedRun> runs,
+                                                                    const Fit& fit);
 
 }  // namespace coilwright::measurement::fit

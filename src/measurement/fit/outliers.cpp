@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "measurement/noise/pooled_levels.hpp"
-#include "measurement/noise/spikes.hpp"
 #include "measurement/replay/prediction.hpp"
+#include "measurement/signals/pooled_levels.hpp"
+#include "measurement/signals/spikes.hpp"
 
 namespace coilwright::measurement::fit {
 namespace {
@@ -32,8 +32,8 @@ std::optional<std::vector<double>> left_of(const replay::PreparedRun& prepared, 
   return out;
 }
 
-noise::NoiseLevel level_without_outliers(const replay::PreparedRun& prepared, std::size_t channel,
-                                         const std::vector<double>& values) {
+signals::NoiseLevel level_without_outliers(const replay::PreparedRun& prepared, std::size_t channel,
+                                           const std::vector<double>& values) {
   const data::Run& run = *prepared.run;
   const std::vector<char>& aside = prepared.set_aside[channel];
   data::Run cleaned{.name = run.name, .kind = run.kind};
@@ -44,11 +44,11 @@ noise::NoiseLevel level_without_outliers(const replay::PreparedRun& prepared, st
     kept.values.push_back(values[i]);
   }
   cleaned.channels = {kept};
-  return noise::noise_of(cleaned, kept);
+  return signals::noise_of(cleaned, kept);
 }
 
 // A rounded record may have more than half of its differences at zero; a step to the next value is no spike there.
-double least_scale(const noise::NoiseLevel& level) {
+double least_scale(const signals::NoiseLevel& level) {
   return std::max(0.3 * level.sigma, level.resolution / 3.0);
 }
 
@@ -57,14 +57,14 @@ double least_scale(const noise::NoiseLevel& level) {
 // polynomials. Both err upwards only, so the smaller one is taken where they differ by more than chance, as long as
 // it is not below what rounding alone leaves.
 void take_noise_anew(replay::PreparedRun& prepared, std::size_t channel, const Eigen::VectorXd& predictions) {
-  noise::NoiseLevel& level = prepared.noise[channel];
+  signals::NoiseLevel& level = prepared.noise[channel];
   if (!level.from_the_run) return;
   const std::vector<double>& measured = prepared.run->channels[channel].values;
   std::string colour = std::move(level.colour);
   // Its own: what was drawn to other runs is drawn anew from there.
   level = level_without_outliers(prepared, channel, measured);
   if (const auto left = left_of(prepared, channel, predictions)) {
-    noise::NoiseLevel of_left = level_without_outliers(prepared, channel, *left);
+    signals::NoiseLevel of_left = level_without_outliers(prepared, channel, *left);
     // What a smooth prediction leaves of a rounded record has values in between.
     of_left.resolution = level.resolution;
     of_left.sigma = std::max(of_left.sigma, level.of_rounding());
@@ -80,13 +80,13 @@ void take_noise_anew(replay::PreparedRun& prepared, std::size_t channel, const E
 
 // The levels that runs tell of themselves, of each instrument together.
 void pool_levels(std::span<replay::PreparedRun> runs) {
-  std::map<std::string, std::vector<noise::NoiseLevel*>> by_channel;
+  std::map<std::string, std::vector<signals::NoiseLevel*>> by_channel;
   for (replay::PreparedRun& prepared : runs) {
     if (!prepared.is_motion()) continue;
-    for (noise::NoiseLevel& level : prepared.noise)
+    for (signals::NoiseLevel& level : prepared.noise)
       if (level.from_the_run) by_channel[level.channel].push_back(&level);
   }
-  for (const auto& [channel, levels] : by_channel) noise::pool_levels(levels);
+  for (const auto& [channel, levels] : by_channel) signals::pool_levels(levels);
 }
 
 // True if the sample was not aside before.
@@ -115,7 +115,8 @@ bool set_outliers_aside(std::span<replay::PreparedRun> runs, const Fit& fitted) 
       for (std::size_t c = 0; c < channels; ++c, at += n) {
         const Eigen::Index first = static_cast<Eigen::Index>(c) * n;
         const Eigen::VectorXd apart = measured.segment(first, n) - fitted.runs[r].predictions.segment(at, n);
-        const std::vector<char> found = noise::spikes({apart.data(), range.samples()}, least_scale(prepared.noise[c]));
+        const std::vector<char> found =
+            signals::spikes({apart.data(), range.samples()}, least_scale(prepared.noise[c]));
         for (std::size_t i = 0; i < found.size(); ++i) {
           if (found[i] != 0 && set_aside(prepared, c, range.first + i)) changed[c] = 1;
         }
@@ -164,7 +165,7 @@ std::optional<std::vector<replay::PreparedRun>> with_suspects_aside(std::span<co
     for (std::size_t c = 0; c < run.channels.size(); ++c) {
       const auto left = left_of(prepared, c, fitted.runs[r].predictions);
       if (!left) continue;
-      const std::vector<char> suspects = noise::far_values(*left, prepared.noise[c].sigma, most);
+      const std::vector<char> suspects = signals::far_values(*left, prepared.noise[c].sigma, most);
       for (std::size_t i = 0; i < suspects.size(); ++i)
         if (suspects[i] != 0 && set_aside(prepared, c, i)) any = true;
     }

@@ -9,7 +9,7 @@
 namespace coilwright::measurement::fit {
 
 /// Sets samples aside that stand apart as no motion does: up to three in a row whose residual lies more than six
-/// standard deviations from that of their neighbours (noise::spikes). What a wrong model leaves is smooth from sample
+/// standard deviations from that of their neighbours (signals::spikes). What a wrong model leaves is smooth from sample
 /// to sample, so that it does not count. Also takes the noise level of channels that have some anew without them, where
 /// the run itself tells it. True if any sample was set aside that was not before.
 [[nodiscard]] bool set_outliers_aside(std::span<replay::PreparedRun> runs, const Fit& fitted);

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "measurement/noise/whittaker_smoother.hpp"
+#include "measurement/signals/whittaker_smoother.hpp"
 
 namespace coilwright::measurement::localise {
 namespace {
@@ -128,8 +128,8 @@ SmoothedSeries smoothed_windows(std::span<const double> times, const std::vector
   for (std::size_t w = 0; w + 1 < bounds.size(); ++w) {
     const std::size_t size = bounds[w + 1] - bounds[w];
     const auto segment = times.subspan(bounds[w], size);
-    const std::vector<double> smooth = noise::smoothed(segment, std::span(values).subspan(bounds[w], size), penalty);
-    const noise::Derivatives slopes = noise::derivatives(segment, smooth);
+    const std::vector<double> smooth = signals::smoothed(segment, std::span(values).subspan(bounds[w], size), penalty);
+    const signals::Derivatives slopes = signals::derivatives(segment, smooth);
     out.angle.insert(out.angle.end(), smooth.begin(), smooth.end());
     out.rate.insert(out.rate.end(), slopes.first.begin(), slopes.first.end());
     out.acceleration.insert(out.acceleration.end(), slopes.second.begin(), slopes.second.end());
@@ -157,13 +157,13 @@ TorqueSeries residual_torque_series(const MeasuredMotion& motion, const actuator
     std::vector<double> values(times.size());
     for (std::size_t i = 0; i < times.size(); ++i)
       values[i] = motion.angles[s][i] - in_series(motion, s, motion.simulated[i].angles);
-    std::vector<noise::SampledSegment> segments;
+    std::vector<signals::SampledSegment> segments;
     for (std::size_t w = 0; w + 1 < bounds.size(); ++w)
       if (const std::size_t size = bounds[w + 1] - bounds[w]; size >= shortest_window)
         segments.push_back({std::span(times).subspan(bounds[w], size), std::span(values).subspan(bounds[w], size)});
     if (segments.empty()) return result;
-    const double penalty = noise::best_penalty(segments, motion.sigma[s]);
-    result.smoothing_length = std::max(result.smoothing_length, noise::smoothing_length(penalty));
+    const double penalty = signals::best_penalty(segments, motion.sigma[s]);
+    result.smoothing_length = std::max(result.smoothing_length, signals::smoothing_length(penalty));
     measured.push_back(smoothed_windows(times, values, bounds, penalty));
     noise.push_back(smoothed_windows(times, white_noise(times.size(), motion.sigma[s], seed + s), bounds, penalty));
   }

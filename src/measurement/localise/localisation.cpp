@@ -94,7 +94,7 @@ std::vector<MeasuredMotion> measured_alike(std::vector<MeasuredMotion> motions) 
 }  // namespace
 
 std::optional<ResidualTorque> localise(std::span<const replay::PreparedRun> runs,
-                                       const compare::FittedHypothesis& fitted) {
+                                       const identification::FittedHypothesis& fitted) {
   const actuator::Model model = fitted.hypothesis.model_at(fitted.fit.values);
   std::vector<MeasuredMotion> motions;
   for (std::size_t r = 0; r < runs.size(); ++r) {

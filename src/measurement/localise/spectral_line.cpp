@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "measurement/noise/spectrum.hpp"
+#include "measurement/signals/spectrum.hpp"
 
 namespace coilwright::measurement::localise {
 namespace {
@@ -23,7 +23,7 @@ double median(std::vector<double> values) {
 }
 
 Spectrum spectrum_of(const EvenSeries& series) {
-  const noise::Periodogram lines = noise::periodogram(series.values);
+  const signals::Periodogram lines = signals::periodogram(series.values);
   const double step = 1.0 / (series.interval * static_cast<double>(lines.size));
   const auto resolved = lines.size / series.values.size();  // bins of the padded transform per resolved frequency
   Spectrum result;

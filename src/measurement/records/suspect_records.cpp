@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "coilwright/measurement/noise/noise_level.hpp"
+#include "coilwright/measurement/signals/noise_level.hpp"
 #include "coilwright/simulation/initial_state.hpp"
 #include "coilwright/units/angle.hpp"
 #include "measurement/data/equal_stretches.hpp"
@@ -53,8 +53,8 @@ std::vector<data::EqualStretch> long_stretches(const std::vector<double>& values
 }
 
 // The noise of what lies outside of them, which has no noise itself.
-noise::NoiseLevel noise_without(const data::Run& run, const data::Channel& channel,
-                                const std::vector<data::EqualStretch>& left) {
+signals::NoiseLevel noise_without(const data::Run& run, const data::Channel& channel,
+                                  const std::vector<data::EqualStretch>& left) {
   data::Run rest{.name = run.name, .kind = run.kind};
   data::Channel values{.name = channel.name, .kind = channel.kind};
   auto next = left.begin();
@@ -64,7 +64,7 @@ noise::NoiseLevel noise_without(const data::Run& run, const data::Channel& chann
     rest.times.push_back(run.times[i]);
     values.values.push_back(channel.values[i]);
   }
-  return values.values.empty() ? noise::NoiseLevel{} : noise::noise_of(rest, values);
+  return values.values.empty() ? signals::NoiseLevel{} : signals::noise_of(rest, values);
 }
 
 constexpr double hardly = 0.05;                                   // of the declared model's motion
@@ -122,7 +122,7 @@ std::optional<data::Warning> stalled_frames(const data::Run& run) {
   for (const data::Channel& channel : run.channels) {
     const std::vector<data::EqualStretch> stretches = long_stretches(channel.values);
     if (stretches.empty() || channel.values.size() != run.times.size()) continue;
-    const noise::NoiseLevel level = noise_without(run, channel, stretches);
+    const signals::NoiseLevel level = noise_without(run, channel, stretches);
     if (level.resolution <= 0.0 || level.sigma < least_noise * level.resolution) continue;
     const auto [least, most] = std::ranges::minmax(channel.values);
     data::EqualStretch longest;

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "coilwright/algebra/least_squares.hpp"
-#include "measurement/noise/spectrum.hpp"
+#include "measurement/signals/spectrum.hpp"
 
 namespace coilwright::measurement::replay {
 namespace {
@@ -66,7 +66,7 @@ Eigen::MatrixXd sine_columns(const Times& times, double frequency) {
 // A sine about a constant. The frequency is sought within one line of the periodogram about its highest.
 std::optional<CommandShape> sine(const Times& times, const Eigen::VectorXd& readings) {
   const Eigen::VectorXd swing = readings.array() - readings.mean();
-  const noise::Periodogram spectrum = noise::periodogram({swing.data(), static_cast<std::size_t>(swing.size())});
+  const signals::Periodogram spectrum = signals::periodogram({swing.data(), static_cast<std::size_t>(swing.size())});
   const auto highest = std::ranges::max_element(spectrum.power.begin() + 1, spectrum.power.end());
   const double interval = (times[times.size() - 1] - times[0]) / static_cast<double>(times.size() - 1);
   const double line = 1.0 / (static_cast<double>(spectrum.size) * interval);

@@ -6,9 +6,9 @@
 #include <span>
 #include <utility>
 
-#include "coilwright/measurement/noise/noise_level.hpp"
-#include "measurement/noise/whittaker_smoother.hpp"
+#include "coilwright/measurement/signals/noise_level.hpp"
 #include "measurement/replay/command_shape.hpp"
+#include "measurement/signals/whittaker_smoother.hpp"
 
 namespace coilwright::measurement::replay {
 namespace {
@@ -70,7 +70,7 @@ std::optional<SmoothColumn> smoothed(const std::vector<double>& times, const std
   record.kind = data::RunKind::transient;
   record.times = times;
   record.channels = {{.name = "input", .kind = data::ChannelKind::torque, .values = values}};
-  const noise::NoiseLevel level = noise::noise_of(record, record.channels.front());
+  const signals::NoiseLevel level = signals::noise_of(record, record.channels.front());
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   if (level.sigma < least_share * (*most - *least)) return std::nullopt;
   const ReadingNoise noise{.sigma = level.sigma, .freedom = level.freedom};
@@ -79,13 +79,13 @@ std::optional<SmoothColumn> smoothed(const std::vector<double>& times, const std
   if (!command_shape(times, values, noise))
     for (const std::size_t edge : edges_of(values, least_edge(values, level.sigma))) starts.push_back(edge);
   starts.push_back(values.size());
-  std::vector<noise::SampledSegment> segments;
+  std::vector<signals::SampledSegment> segments;
   for (std::size_t s = 0; s + 1 < starts.size(); ++s)
     segments.push_back({.times = std::span(times).subspan(starts[s], starts[s + 1] - starts[s]),
                         .values = std::span(values).subspan(starts[s], starts[s + 1] - starts[s])});
-  const double penalty = noise::best_penalty(segments, level.sigma);
+  const double penalty = signals::best_penalty(segments, level.sigma);
   SmoothColumn out{.sigma = level.sigma};
-  for (const noise::SampledSegment& segment : segments) {
+  for (const signals::SampledSegment& segment : segments) {
     if (const auto shape = command_shape(segment.times, segment.values, noise)) {
       for (Eigen::Index k = 0; k < shape->basis.cols(); ++k) {
         InputError error{.first = out.values.size()};
@@ -100,7 +100,7 @@ std::optional<SmoothColumn> smoothed(const std::vector<double>& times, const std
       out.values.insert(out.values.end(), segment.values.begin(), segment.values.end());
       continue;
     }
-    const std::vector<double> smooth = noise::smoothed(segment.times, segment.values, penalty);
+    const std::vector<double> smooth = signals::smoothed(segment.times, segment.values, penalty);
     out.values.insert(out.values.end(), smooth.begin(), smooth.end());
   }
   return out;

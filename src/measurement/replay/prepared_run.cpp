@@ -193,7 +193,7 @@ void require_fits_model(const data::Run& run, const DeclaredModel& declared, con
 PreparedRun prepare_run(const data::Run& run, const DeclaredModel& declared, const Model& nominal) {
   require_fits_model(run, declared, nominal);
   PreparedRun prepared{.run = &run};
-  for (const data::Channel& channel : run.channels) prepared.noise.push_back(noise::noise_of(run, channel));
+  for (const data::Channel& channel : run.channels) prepared.noise.push_back(signals::noise_of(run, channel));
   if (!prepared.is_motion()) return prepared;
   prepared.windows = windows_of(run);
   // An input whose errors are declared is taken as it was recorded.

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "coilwright/measurement/data/run.hpp"
-#include "coilwright/measurement/noise/noise_level.hpp"
 #include "coilwright/measurement/replay/declared_model.hpp"
 #include "coilwright/measurement/replay/known_fits.hpp"
+#include "coilwright/measurement/signals/noise_level.hpp"
 #include "coilwright/simulation/model_input.hpp"
 #include "coilwright/simulation/state.hpp"
-#include "measurement/noise/whitener.hpp"
+#include "measurement/signals/whitener.hpp"
 
 namespace coilwright::measurement::replay {
 
@@ -81,9 +81,9 @@ struct Window {
 /// A run as fits use it: inputs as the model takes them, noise, windows. Refers to the run.
 struct PreparedRun {
   const data::Run* run{};
-  std::vector<noise::NoiseLevel> noise{};  ///< one per channel
+  std::vector<signals::NoiseLevel> noise{};  ///< one per channel
   /// What makes the noise of a channel white, one per channel; null: it is white, or the input is not exact.
-  std::vector<std::shared_ptr<const noise::Whitener>> whiteners{};
+  std::vector<std::shared_ptr<const signals::Whitener>> whiteners{};
   std::vector<double> lines{};       ///< Hz, of hum that every angle shows
   std::vector<double> line_sizes{};  ///< rad, amplitude of each in the record of the noise
   std::vector<std::vector<char>>

@@ -12,13 +12,13 @@
 #include <vector>
 
 #include "coilwright/algebra/least_squares.hpp"
-#include "measurement/noise/noise_colour.hpp"
-#include "measurement/noise/spikes.hpp"
+#include "measurement/signals/noise_colour.hpp"
+#include "measurement/signals/spikes.hpp"
 
 namespace coilwright::measurement::replay {
 namespace {
 
-using noise::NoiseColour;
+using signals::NoiseColour;
 
 constexpr std::size_t fewest_still_samples = 64;
 constexpr std::size_t fewest_samples_at_rest = 128;  // in all parts together
@@ -48,7 +48,7 @@ std::optional<Stretch> stretch_of(const data::Run& run, data::ChannelKind kind, 
     if (channel.kind != kind || channel.joint != joint) continue;
     std::vector<double> values(channel.values.begin() + static_cast<std::ptrdiff_t>(range.first),
                                channel.values.begin() + static_cast<std::ptrdiff_t>(range.last));
-    return Stretch{.values = noise::without_spikes(std::move(values)), .interval = mean_interval(run.times)};
+    return Stretch{.values = signals::without_spikes(std::move(values)), .interval = mean_interval(run.times)};
   }
   return std::nullopt;
 }
@@ -109,7 +109,7 @@ std::vector<SampleRange> samples_under_constant_input(const data::Run& run) {
 std::optional<NoiseColour> colour_of_all(const std::vector<Stretch>& stretches, std::size_t fewest) {
   if (stretches.empty()) return std::nullopt;
   const auto longest = std::ranges::max_element(stretches, {}, [](const Stretch& each) { return each.values.size(); });
-  std::vector<noise::StillPiece> pieces;
+  std::vector<signals::StillPiece> pieces;
   std::size_t samples = 0;
   for (const Stretch& each : stretches) {
     if (std::abs(each.interval / longest->interval - 1.0) > same_interval) continue;
@@ -117,7 +117,7 @@ std::optional<NoiseColour> colour_of_all(const std::vector<Stretch>& stretches, 
     samples += each.values.size();
   }
   if (samples < fewest) return std::nullopt;
-  return noise::colour_of(pieces);
+  return signals::colour_of(pieces);
 }
 
 std::string text_of(const NoiseColour& colour, const std::string& source) {
@@ -125,12 +125,12 @@ std::string text_of(const NoiseColour& colour, const std::string& source) {
                          ? fmt::format("white, as {}", source)
                          : fmt::format("coloured, its spectrum from {} in {} bands", source, colour.bands.size());
   if (colour.low_end) text += fmt::format(", growing towards low frequencies as 1/f^{:.2g}", colour.low_end->exponent);
-  for (const noise::NoiseLine& line : colour.lines) text += fmt::format(", hum at {:.3g} Hz", line.frequency);
+  for (const signals::NoiseLine& line : colour.lines) text += fmt::format(", hum at {:.3g} Hz", line.frequency);
   return text;
 }
 
 void take_over(PreparedRun& prepared, std::size_t channel, const NoiseColour& colour) {
-  for (const noise::NoiseLine& line : colour.lines) {
+  for (const signals::NoiseLine& line : colour.lines) {
     const bool known = std::ranges::any_of(prepared.lines, [&](double other) {
       return std::abs(other - line.frequency) * (prepared.run->times.back() - prepared.run->times.front()) < 1.0;
     });
@@ -140,7 +140,7 @@ void take_over(PreparedRun& prepared, std::size_t channel, const NoiseColour& co
   }
   // Innovations of an input that is not exact are those of white noise.
   if (!colour.is_white && prepared.run->input_uncertainty.sigma.empty())
-    prepared.whiteners[channel] = std::make_shared<noise::Whitener>(colour, mean_interval(prepared.run->times));
+    prepared.whiteners[channel] = std::make_shared<signals::Whitener>(colour, mean_interval(prepared.run->times));
 }
 
 // Hum as the parts of the runs under a constant input show it. Not their colour: what creeps there is no noise.
@@ -158,10 +158,11 @@ void take_over_hum(PreparedRun& prepared, std::size_t c, std::span<const data::R
   double longest = 0.0;
   for (const Stretch& each : stretches)
     longest = std::max(longest, each.interval * static_cast<double>(each.values.size()));
-  std::erase_if(colour->lines, [&](const noise::NoiseLine& line) { return line.frequency * longest < fewest_periods; });
+  std::erase_if(colour->lines,
+                [&](const signals::NoiseLine& line) { return line.frequency * longest < fewest_periods; });
   if (colour->lines.empty()) return;
   std::string lines;
-  for (const noise::NoiseLine& line : colour->lines)
+  for (const signals::NoiseLine& line : colour->lines)
     lines += fmt::format("{}{:.3g} Hz", lines.empty() ? "" : ", ", line.frequency);
   prepared.noise[c].colour =
       fmt::format("taken as white but for hum at {}, which the parts under a constant input show: no still run", lines);
@@ -175,7 +176,7 @@ void take_recorded_noise(PreparedRun& prepared, std::span<const data::Run> still
   prepared.line_sizes.clear();
   for (std::size_t c = 0; c < prepared.noise.size(); ++c) {
     const data::Channel& channel = prepared.run->channels[c];
-    noise::NoiseLevel& level = prepared.noise[c];
+    signals::NoiseLevel& level = prepared.noise[c];
     level.colour = "taken as white: there is no still run, and the parts at rest are too short to show its colour";
     std::vector<Stretch> stretches;
     for (const data::Run& run : still)
@@ -227,7 +228,7 @@ void give_recorded_noise(PreparedRun& prepared, std::span<const data::Run> still
   take_recorded_noise(prepared, still, runs);
   const std::vector<double>& sigma = prepared.run->input_uncertainty.sigma;
   if (sigma.empty()) return;
-  for (noise::NoiseLevel& level : prepared.noise)
+  for (signals::NoiseLevel& level : prepared.noise)
     level.colour += fmt::format("; white beside the errors of the input, input_sigma {:.6g}", fmt::join(sigma, ", "));
 }
 

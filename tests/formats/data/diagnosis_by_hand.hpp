@@ -40,9 +40,9 @@ inline measurement::AddedEffect stopped() {
 }
 
 // A hypothesis that was compared. Its evidence is that of its chi-square alone, over 52,000 without effects.
-inline measurement::compare::WeighedHypothesis weighed(std::vector<const actuator::EffectKind*> effects,
-                                                       double chi_square, double probability,
-                                                       double probability_of_noise = 0.0) {
+inline measurement::identification::WeighedHypothesis weighed(std::vector<const actuator::EffectKind*> effects,
+                                                              double chi_square, double probability,
+                                                              double probability_of_noise = 0.0) {
   return {.effects = std::move(effects),
           .chi_square = chi_square,
           .log_evidence = 0.5 * (52000.0 - chi_square),

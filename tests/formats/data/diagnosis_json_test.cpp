@@ -126,7 +126,7 @@ TEST(DiagnosisJson, GivesTheProbabilityOfAnEffectOverAllHypothesesWithIt) {
 
 TEST(DiagnosisJson, HasNullForASideWithoutABound) {
   Diagnosis diagnosis = example();
-  compare::Estimate& estimate = diagnosis.effects[0].parameters[0];
+  identification::Estimate& estimate = diagnosis.effects[0].parameters[0];
   estimate.lower = -infinity;
   auto parameter = json_of(diagnosis)["effects"][0]["parameters"]["torque_Nmm"];
   EXPECT_EQ(parameter, ordered_json::parse(R"({"value": 0.61, "ci95": [null, 0.64]})"));
@@ -256,7 +256,7 @@ TEST(DiagnosisJson, HasNullForWhatAnInterruptedDiagnosisDoesNotKnow) {
   Diagnosis diagnosis = example();
   diagnosis.effects.clear();
   diagnosis.verdict = Verdict::incomplete;
-  compare::WeighedHypothesis first = weighed({}, 52000.0, nan, nan);
+  identification::WeighedHypothesis first = weighed({}, 52000.0, nan, nan);
   first.lacks = first.lacks_over = nan;
   diagnosis.odds.hypotheses = {first};
   const auto json = json_of(diagnosis);
@@ -308,7 +308,8 @@ TEST(DiagnosisJson, HasTheNumbersOfWhichOneIsOff) {
   diagnosis.numbers_off = {
       {.name = "/measured/tip_segment_mass_g",
        .estimate =
-           compare::Estimate{.key = "/measured/tip_segment_mass_g", .value = 0.0185, .lower = 0.018, .upper = 0.019},
+           identification::Estimate{
+               .key = "/measured/tip_segment_mass_g", .value = 0.0185, .lower = 0.018, .upper = 0.019},
        .gain = 12.5},
       {.name = "force_curve", .gain = 8.0}};
   EXPECT_EQ(json_of(diagnosis)["numbers_off"], ordered_json::parse(R"([

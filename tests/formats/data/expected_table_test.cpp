@@ -12,7 +12,7 @@ namespace coilwright::formats {
 namespace {
 
 using measurement::data::ChannelKind;
-using measurement::experiment::NextExperiment;
+using measurement::planning::NextExperiment;
 
 std::string table_of(const NextExperiment& next) {
   std::ostringstream out;

@@ -10,7 +10,7 @@ namespace coilwright::formats {
 namespace {
 
 using namespace measurement::data;
-using namespace measurement::experiment;
+using namespace measurement::planning;
 
 std::string with_runs(const std::string& runs) {
   return R"({"format": "experiment/1", "name": "x", "sampling_rate_Hz": 500, "runs": [)" + runs + "]}";

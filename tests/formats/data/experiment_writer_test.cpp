@@ -11,7 +11,7 @@ namespace coilwright::formats {
 namespace {
 
 using namespace measurement::data;
-using namespace measurement::experiment;
+using namespace measurement::planning;
 
 // Every key of the format, no value a round one in memory.
 constexpr const char* everything = R"({

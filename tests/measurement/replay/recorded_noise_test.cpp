@@ -33,7 +33,7 @@ data::Run still_run(std::vector<double> values) {
 
 struct Told {
   PreparedRun prepared{};
-  const noise::NoiseLevel& level() const { return prepared.noise.front(); }
+  const signals::NoiseLevel& level() const { return prepared.noise.front(); }
 };
 
 // What a motion whose sigma is not given takes over.

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "coilwright/measurement/compare/posterior.hpp"
 #include "coilwright/measurement/data/dataset.hpp"
+#include "coilwright/measurement/identification/posterior.hpp"
 #include "coilwright/measurement/replay/tolerances.hpp"
 #include "coilwright/text/json/json.hpp"
 
@@ -19,11 +19,11 @@ namespace coilwright::formats {
 struct DatasetFile {
   std::string file;  ///< path of dataset.json, for errors about it
   measurement::data::Dataset data{};
-  std::vector<std::filesystem::path> run_files{};       ///< of all its runs, and of their inputs
-  std::vector<std::string> calibrate{};                 ///< numbers of the declared model that may be fitted anew
-  measurement::replay::Tolerances tolerances{};         ///< how well its declared numbers are known
-  std::vector<measurement::compare::Belief> beliefs{};  ///< of effects that may be missing
-  std::optional<std::filesystem::path> actuator{};      ///< the declared model, where the set names one; not opened
+  std::vector<std::filesystem::path> run_files{};  ///< of all its runs, and of their inputs
+  std::vector<std::string> calibrate{};            ///< numbers of the declared model that may be fitted anew
+  measurement::replay::Tolerances tolerances{};    ///< how well its declared numbers are known
+  std::vector<measurement::identification::Belief> beliefs{};  ///< of effects that may be missing
+  std::optional<std::filesystem::path> actuator{};  ///< the declared model, where the set names one; not opened
 };
 
 /// Reads a measured-data/1 set: its dataset.json (or the folder of it) and every CSV file it names. Validate runs are

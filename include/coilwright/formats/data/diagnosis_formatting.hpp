@@ -24,7 +24,7 @@ struct EstimateInUnit {
   double value{}, lower{}, upper{};
   std::optional<double> declared{};
 };
-[[nodiscard]] EstimateInUnit in_unit(const measurement::compare::Estimate& estimate);
+[[nodiscard]] EstimateInUnit in_unit(const measurement::identification::Estimate& estimate);
 
 /// A declared number that a fit moved, in the unit of its key.
 struct MovedNumberInUnit {
@@ -43,7 +43,7 @@ struct MovedNumberInUnit {
 
 /// The hypothesis whose effects the diagnosis reports: that of no effect where it reports none. Null where no
 /// hypothesis was compared.
-[[nodiscard]] const measurement::compare::WeighedHypothesis* reported_hypothesis(
+[[nodiscard]] const measurement::identification::WeighedHypothesis* reported_hypothesis(
     const measurement::Diagnosis& diagnosis);
 
 /// Chi-square of the declared model, fitted anew without effects; NaN where no hypothesis was compared.

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "coilwright/measurement/diagnosis.hpp"
-#include "coilwright/measurement/experiment/next_experiment.hpp"
+#include "coilwright/measurement/planning/next_experiment.hpp"
 
 namespace coilwright::formats {
 
@@ -20,6 +20,6 @@ void write_residuals(std::ostream& out, std::span<const measurement::Replay> rep
 /// other is empty), `noise` (standard deviation of one reading), then a column for each explanation, all in the unit at
 /// the end of the channel's name. A column is named by its effects, joined by "+" ("no effect" without any; a second
 /// one of the same effects has " (2)" behind). Throws std::invalid_argument when an explanation lacks values.
-void write_expected_readings(std::ostream& out, const measurement::experiment::NextExperiment& next);
+void write_expected_readings(std::ostream& out, const measurement::planning::NextExperiment& next);
 
 }  // namespace coilwright::formats

@@ -2,14 +2,14 @@
 
 #include <string>
 
-#include "coilwright/measurement/experiment/experiment_plan.hpp"
+#include "coilwright/measurement/planning/experiment_plan.hpp"
 #include "coilwright/text/json/json.hpp"
 
 namespace coilwright::formats {
 
 /// What an experiment could show, with the files that it was planned for.
 struct PlanReport {
-  const measurement::experiment::ExperimentPlan& plan;
+  const measurement::planning::ExperimentPlan& plan;
   std::string experiment{};  ///< file, as it was given
   std::string actuator{};
 };

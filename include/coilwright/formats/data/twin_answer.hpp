@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coilwright/actuator/model/effect.hpp"
-#include "coilwright/measurement/experiment/synthetic_data.hpp"
+#include "coilwright/measurement/planning/synthetic_data.hpp"
 #include "coilwright/text/json/json.hpp"
 
 namespace coilwright::formats {
@@ -14,7 +14,7 @@ namespace coilwright::formats {
 /// What the clock of a run really was.
 struct ClockOfRun {
   std::string run{};  ///< its file
-  measurement::experiment::TrueClock clock{};
+  measurement::planning::TrueClock clock{};
 };
 
 /// What is hidden in the data of a twin, and how they came about.
@@ -23,7 +23,7 @@ struct TwinAnswer {
   std::string actuator{};  ///< file that it was made from
   std::string experiment{};
   std::span<const actuator::Effect> effects{};
-  const measurement::experiment::Instruments& instruments;
+  const measurement::planning::Instruments& instruments;
   std::vector<ClockOfRun> clocks{};  ///< of the runs that have two clocks
   std::uint64_t seed{};
 };

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace coilwright::measurement::identification {
+
+/// The constants of what the search tries further and of which declared numbers are off.
+struct DecisionThresholds {
+  /// A smaller gain of the quasi-BIC decides nothing: odds of 20 to 1 (Kass and Raftery 1995, "strong").
+  double decisive_gain = 6.0;
+  /// Declared numbers that so few of the rigs built to their tolerances would have are off.
+  double least_probability = 0.01;
+};
+inline constexpr DecisionThresholds decision_thresholds{};
+
+}  // namespace coilwright::measurement::identification

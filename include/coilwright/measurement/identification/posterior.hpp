@@ -1,0 +1,59 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "coilwright/actuator/model/effect.hpp"
+
+namespace coilwright::measurement::identification {
+
+/// One hypothesis and how probable it is.
+struct WeighedHypothesis {
+  std::vector<const actuator::EffectKind*> effects{};  ///< empty: the declared model, recalibrated
+  double chi_square{};                                 ///< sum of squared residuals of the fit runs over their noise
+  double log_evidence{};                               ///< natural logarithm, over that of no effect
+  double probability{};                                ///< among all that were fitted
+  /// What it lacks, most probably: standard deviation over that of the noise, and correlation length in samples.
+  double lacks{}, lacks_over{};
+  double probability_of_noise{};  ///< that it lacks less than a tenth of the noise
+};
+
+/// A hypothesis that has no probability, and why.
+struct RuledOut {
+  std::vector<const actuator::EffectKind*> effects{};
+  std::string remark{};  ///< "does not fit this rig: ..."
+};
+
+/// What the records and the priors say of every hypothesis that was fitted. A hypothesis that was not fitted counts as
+/// impossible, and what no effect of the catalogue does is no hypothesis: the probabilities hold given that the truth
+/// is among the hypotheses. Whether it may be is what `probability_of_noise` says.
+struct Posterior {
+  std::vector<WeighedHypothesis> hypotheses{};  ///< most probable first; the probabilities add up to 1
+  std::vector<RuledOut> ruled_out{};
+
+  /// An effect, and the probability that it is there.
+  struct Inclusion {
+    std::string_view effect{};  ///< its id
+    double probability{};       ///< of all hypotheses with it, whatever its further numbers
+  };
+  /// Every effect of a hypothesis, the most probable first.
+  [[nodiscard]] std::vector<Inclusion> effects() const;
+  /// The probability of just these effects together, in any order, whatever their further numbers.
+  [[nodiscard]] double probability_of(const std::vector<const actuator::EffectKind*>& effects) const;
+};
+
+/// What somebody who knows the rig believes of an effect before the records are seen ("the wire drags").
+struct Belief {
+  std::string effect{};  ///< its id
+  double probability{};  ///< that it is there; above 0, below 1
+};
+
+/// Whether each of `some` is among `of`; an effect with further numbers is the same effect.
+[[nodiscard]] bool are_among(const std::vector<const actuator::EffectKind*>& some,
+                             const std::vector<const actuator::EffectKind*>& of);
+
+/// The ids of effects, sorted: an effect with further numbers is the same effect.
+[[nodiscard]] std::vector<std::string_view> ids_of(const std::vector<const actuator::EffectKind*>& effects);
+
+}  // namespace coilwright::measurement::identification

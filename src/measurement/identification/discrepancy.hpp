@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+namespace coilwright::measurement::identification {
+
+/// What a model still lacks: a stationary process beside the noise with a Matérn covariance of smoothness 3/2,
+/// deviation^2 (1 + w) exp(-w), w = sqrt(3) steps / length. Continuous with its slope, as a motion is that a missing
+/// torque makes (Kennedy and O'Hagan, J. R. Stat. Soc. B 63 (2001) 425).
+struct Discrepancy {
+  double deviation{};   ///< standard deviation, over that of the noise; 0: nothing is missing
+  double length = 1.0;  ///< correlation length, in sampling intervals; > 0
+};
+
+/// One channel of one window: samples that share a discrepancy.
+struct Series {
+  Eigen::Index first{};           ///< row of its first sample in the block of the window
+  std::vector<double> steps{};    ///< from each sample to the next, in median sampling intervals: one less than samples
+  std::vector<char> set_aside{};  ///< for each sample whether it counts as not measured
+  /// Degrees of freedom of the noise's variance; infinite where it is known.
+  double freedom{};
+  [[nodiscard]] Eigen::Index samples() const { return static_cast<Eigen::Index>(set_aside.size()); }
+};
+
+/// Makes a series of discrepancy and noise white: the innovations of a Kalman filter of two states, each over its
+/// standard deviation, so that a likelihood costs as many steps as there are samples (Hartikainen and Särkkä, IEEE MLSP
+/// 2010). Refers to the series.
+class DiscrepancyFilter {
+ public:
+  DiscrepancyFilter(const Series& series, const Discrepancy& discrepancy);
+
+  /// Each column of `rows` (samples, columns) becomes its innovations; those of samples set aside are 0.
+  void whiten(Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> rows) const;
+  /// The logarithm of the determinant of the covariance of the samples that were measured.
+  [[nodiscard]] double log_determinant() const noexcept { return log_determinant_; }
+
+ private:
+  struct Step {
+    double level_of_level{}, level_of_slope{}, slope_of_level{}, slope_of_slope{};  // transition from the sample before
+    double gain_of_level{}, gain_of_slope{};
+    double over_deviation{};  // 1 over that of the innovation; 0 for a sample set aside
+  };
+  std::vector<Step> steps_;
+  double log_determinant_{};
+};
+
+}  // namespace coilwright::measurement::identification

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "coilwright/actuator/model/effect.hpp"
+#include "measurement/identification/staged_fit.hpp"
+
+namespace coilwright::measurement::identification {
+
+/// Effects to be added to a hypothesis: one or several of the same kinds, from each of several starts. Refers to the
+/// hypothesis.
+struct PlannedExtension {
+  const FittedHypothesis* base{};
+  std::vector<std::vector<actuator::Effect>> starts{};  ///< at least one
+  /// Tried from the declared numbers where a fit from `starts` does not show what the effect can do: see short_fit.
+  std::vector<std::vector<actuator::Effect>> further_starts{};
+
+  /// The effects of the extended hypothesis, in an order that depends on nothing but the set.
+  [[nodiscard]] std::vector<const actuator::EffectKind*> kinds() const;
+};
+
+/// The planned extensions, each set of effects only once: by the first extension that reaches it.
+[[nodiscard]] std::vector<PlannedExtension> without_repetitions(std::vector<PlannedExtension> planned);
+
+/// The extension of `base` by one effect from each of its starts.
+[[nodiscard]] PlannedExtension one_more(const FittedHypothesis& base, const std::vector<actuator::Effect>& starts);
+
+}  // namespace coilwright::measurement::identification

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "coilwright/actuator/model/effect.hpp"
+#include "measurement/identification/staged_fit.hpp"
+
+namespace coilwright::measurement::identification {
+
+/// A candidate effect at one initial guess, with the fall of chi-square predicted by linearising the residual in its
+/// strength (a score test).
+struct ScreenedEffect {
+  actuator::Effect guess{};              ///< at the strength at which it was simulated
+  actuator::Effect effect{};             ///< at the strength that the linearisation predicts; the guess where it
+                                         ///< predicts the wrong sign
+  Eigen::VectorXd residual_direction{};  ///< change of the stacked residuals by the guess, projected on what parameters
+                                         ///< and initial states cannot absorb; empty if the guess cannot be simulated
+  double predicted_chi_square_fall{};    ///< 0 where the effect would have to act against its sign
+  double predicted_share{};              ///< of the guess, at which the linearisation predicts that fall
+  Eigen::VectorXd absorbed{};            ///< what the guess, present, takes away from each parameter of the base
+};
+
+/// Which guesses are screened.
+struct ScreeningRequest {
+  std::span<const actuator::EffectKind* const> kinds{};
+  actuator::RigScale scale{};  ///< from which effects derive their initial guesses
+};
+
+/// Screens every initial guess of every kind that `base` does not have yet. Simulates all runs once per guess, in
+/// parallel.
+[[nodiscard]] std::vector<ScreenedEffect> screen_effects(std::span<const replay::PreparedRun> runs,
+                                                         const FittedHypothesis& base, const ScreeningRequest& request);
+
+/// Initial guesses of one kind to try in a short fit: the best of each discrete choice, and beside it the runner-up of
+/// the same choice if it predicts more than 70 % as much (SearchEffort). The best of all first.
+[[nodiscard]] std::vector<actuator::Effect> starts_for_short_fit(const actuator::EffectKind* kind,
+                                                                 std::span<const ScreenedEffect> screened);
+
+/// Initial guesses of one kind at the strength of the guess itself, those of the largest predicted fall first, as many
+/// as SearchEffort allows.
+[[nodiscard]] std::vector<actuator::Effect> own_starts(const actuator::EffectKind* kind,
+                                                       std::span<const ScreenedEffect> screened);
+
+/// The kinds with the largest predicted fall of chi-square, best first, at most `count`.
+[[nodiscard]] std::vector<const actuator::EffectKind*> kinds_by_predicted_fall(std::span<const ScreenedEffect> screened,
+                                                                               std::size_t count);
+
+/// The effect at `share` of its guess, the share limited by SearchEffort: from where a fit may start.
+[[nodiscard]] actuator::Effect at_predicted_strength(actuator::Effect guess, double share);
+
+}  // namespace coilwright::measurement::identification

@@ -1,0 +1,131 @@
+#include "measurement/identification/staged_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "coilwright/measurement/identification/decision_thresholds.hpp"
+#include "measurement/identification/effect_strength.hpp"
+#include "measurement/identification/search_effort.hpp"
+
+namespace coilwright::measurement::identification {
+
+using actuator::Effect;
+
+namespace {
+
+std::optional<FittedHypothesis> fit_to_its_end(std::span<const replay::PreparedRun> runs, const PlannedFit& plan,
+                                               const fit::FitEffort& effort) {
+  FitInTurns fit(runs, plan, effort);
+  fit.finish();
+  return std::move(fit).result();
+}
+
+// Whether what is missing may have pulled declared numbers far away: those with tolerances are, all together, hardly
+// likely where they are now, or one that is fitted freely is far from what it was declared to be.
+bool are_numbers_pulled_away(const FittedHypothesis& base) {
+  if (probability_of_declared_numbers(base) < search_effort.numbers_pulled_away) return true;
+  if (base.whiteness.is_white()) return false;
+  const auto& numbers = base.hypothesis.declared().calibration;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (numbers[i].tolerance) continue;
+    const double moved = std::abs(base.fit.values[static_cast<Eigen::Index>(i)] - numbers[i].declared);
+    if (moved > search_effort.free_number_pulled_away * std::abs(numbers[i].declared)) return true;
+  }
+  return false;
+}
+
+// Whether a number of an effect that is fitted, not chosen, ended at one of its bounds.
+bool ends_at_a_bound(const ShortFit& found) {
+  const auto declared = static_cast<std::ptrdiff_t>(found.plan.hypothesis.declared().calibration.size());
+  return std::any_of(found.fitted.at_bound.begin() + declared, found.fitted.at_bound.end(),
+                     [](char at_bound) { return at_bound != 0; });
+}
+
+}  // namespace
+
+std::optional<FittedHypothesis> fit_exactly(std::span<const replay::PreparedRun> runs, const PlannedFit& plan) {
+  return fit_to_its_end(runs, plan, search_effort.exact);
+}
+
+std::optional<FittedHypothesis> fit_to_convergence(std::span<const replay::PreparedRun> runs, const PlannedFit& plan) {
+  return fit_to_its_end(runs, plan, search_effort.converged);
+}
+
+PlannedFit with_added_effects(const FittedHypothesis& base, std::span<const Effect> added) {
+  std::vector<Effect> effects = base.hypothesis.effects_at(base.fit.values);
+  effects.insert(effects.end(), added.begin(), added.end());
+  PlannedFit plan{.hypothesis = fit::Hypothesis(base.hypothesis.declared(), std::move(effects)),
+                  .local_numbers_from = &base.fit,
+                  .derivatives_from = &base.fit};
+  plan.start = plan.hypothesis.start();
+  plan.start.head(base.fit.values.size()) = base.fit.values;
+  return plan;
+}
+
+std::optional<fit::Fit> at_declared_numbers(std::span<const replay::PreparedRun> runs,
+                                            const replay::DeclaredModel& declared) {
+  if (!has_slow_derivatives(runs, declared)) return {};
+  const fit::Hypothesis hypothesis(declared, {});
+  return fit::evaluate_with_jacobian(
+      {.hypothesis = &hypothesis, .runs = runs, .start = hypothesis.start(), .effort = {.iterations = 0}});
+}
+
+fit::FitEffort ends_by_what_is_left(fit::FitEffort effort, const FittedHypothesis& known) {
+  const double least_gain =
+      std::max(decision_thresholds.decisive_gain, effort.tolerance * known.chi_square_above_noise());
+  effort.tolerance = std::min(effort.tolerance, least_gain / known.fit.objective());
+  return effort;
+}
+
+std::optional<ShortFit> short_fit(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
+                                  std::span<const std::vector<Effect>> guesses,
+                                  std::span<const std::vector<Effect>> further, const fit::Fit* at_declared) {
+  std::optional<ShortFit> best;
+  const auto try_from = [&](const std::vector<Effect>& guess, bool declared = false,
+                            const fit::FitEffort& effort = search_effort.short_fit) {
+    PlannedFit plan = with_added_effects(base, guess);
+    if (declared) {
+      plan.start = plan.hypothesis.start();
+      plan.start.head(base.fit.values.size()) = base.hypothesis.start();
+      plan.local_numbers_from = nullptr;
+      plan.derivatives_from = nullptr;
+    }
+    fit::FitRequest request = fit_request_of(runs, plan);
+    if (declared) request.derivatives_from = at_declared;
+    request.effort = ends_by_what_is_left(effort, base);
+    auto fitted = fit::fit(request);
+    if (!fitted || (best && fitted->objective() >= best->fitted.objective())) return;
+    best.emplace(ShortFit{.plan = std::move(plan), .fitted = std::move(*fitted)});
+  };
+  for (const std::vector<Effect>& guess : guesses) try_from(guess);
+  // Where a missing effect has pulled declared numbers far away, the way back leads through worse models.
+  if (base.hypothesis.effects().empty() && are_numbers_pulled_away(base))
+    for (const std::vector<Effect>& guess : guesses) try_from(guess, true);
+  // The linearisation that scaled the guesses may have led where the effect has lost its shape, or to next to nothing.
+  // Where a model leaves very much, most effects do next to nothing, and long records take their time; where it leaves
+  // noise, most effects end absent, which is a bound.
+  const bool is_worth_more = base.whiteness.level < search_effort.weighs_model_error && !base.whiteness.is_white();
+  const double worth_a_start = search_effort.next_to_nothing * base.chi_square_above_noise();
+  if (!best ||
+      (is_worth_more && (ends_at_a_bound(*best) || base.fit.objective() - best->fitted.objective() < worth_a_start)))
+    for (const std::vector<Effect>& guess : further) try_from(guess, true, search_effort.own_start_fit);
+  // A guess may be so strong that its fit diverges: it is repeated near the model without the effect.
+  if (!best || best->fitted.objective() >= base.fit.objective())
+    for (std::vector<Effect> guess : guesses) {
+      for (Effect& effect : guess) effect = scaled_from_absent(std::move(effect), search_effort.retry_strength);
+      try_from(guess);
+    }
+  return best;
+}
+
+std::optional<FittedHypothesis> refine(std::span<const replay::PreparedRun> runs, const ShortFit& from) {
+  return fit_to_convergence(runs, {.hypothesis = from.plan.hypothesis,
+                                   .start = from.fitted.values,
+                                   .local_numbers_from = &from.fitted,
+                                   .derivatives_from = &from.fitted});
+}
+
+}  // namespace coilwright::measurement::identification

@@ -1,0 +1,76 @@
+#include "coilwright/measurement/identification/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <string_view>
+#include <vector>
+
+#include "coilwright/actuator/model/effect_catalogue.hpp"
+
+namespace coilwright::measurement::identification {
+namespace {
+
+using actuator::EffectKind;
+
+const EffectKind* kind(std::string_view id) {
+  return actuator::standard_effects().find(id);
+}
+const EffectKind* const friction = kind("dry_friction");
+const EffectKind* const loop = kind("hysteresis");
+const EffectKind* const drag = kind("quadratic_drag");
+
+WeighedHypothesis with(std::vector<const EffectKind*> effects, double probability, double of_noise = 1.0) {
+  return {.effects = std::move(effects), .probability = probability, .probability_of_noise = of_noise};
+}
+
+std::vector<const EffectKind*> reported(const Posterior& posterior) {
+  return posterior.hypotheses[answer_of(posterior).reported].effects;
+}
+
+// A false name costs ten times a missed one: no effect may be there with at most 1 / 11.
+TEST(Answer, NamesAnEffectWhoseAbsenceIsImprobableEnough) {
+  EXPECT_EQ(reported({.hypotheses = {with({drag}, 0.91), with({}, 0.09)}}), std::vector{drag});
+  EXPECT_TRUE(reported({.hypotheses = {with({drag}, 0.90), with({}, 0.10)}}).empty());
+  EXPECT_EQ(answer_of({.hypotheses = {with({drag}, 0.70), with({}, 0.30)}}, {.false_name = 2.0}).reported, 0u);
+}
+
+TEST(Answer, LeavesOutWhatTheOthersExplainWithoutIt) {
+  EXPECT_EQ(reported({.hypotheses = {with({drag, loop}, 0.80), with({drag}, 0.19), with({}, 0.01)}}),
+            std::vector{drag});
+  EXPECT_EQ(reported({.hypotheses = {with({drag, loop}, 0.95), with({drag}, 0.04), with({}, 0.01)}}),
+            (std::vector{drag, loop}));
+}
+
+// Something is missing for certain, and the records do not tell which of two: one is named, with the other beside it.
+TEST(Answer, StatesWhatMayBeThereInThePlaceOfAnEffect) {
+  const Posterior posterior{
+      .hypotheses = {with({friction}, 0.60), with({loop}, 0.36), with({drag}, 0.03), with({}, 0.01)}};
+  const Answer answer = answer_of(posterior);
+  EXPECT_EQ(answer.reported, 0u);
+  EXPECT_EQ(answer.rivals, std::vector<std::size_t>{1});  // both hold 96 %
+  EXPECT_EQ(answer.indistinguishable, (std::vector<std::vector<const EffectKind*>>{{friction, loop}}));
+}
+
+TEST(Answer, TakesAnEffectWithFurtherNumbersForTheSame) {
+  const EffectKind* further = friction->with_further_numbers();
+  ASSERT_NE(further, nullptr);
+  const Posterior posterior{.hypotheses = {with({friction}, 0.55), with({further}, 0.43), with({}, 0.02)}};
+  const Answer answer = answer_of(posterior);
+  EXPECT_EQ(answer.reported, 0u);
+  EXPECT_TRUE(answer.rivals.empty());
+}
+
+TEST(VerdictOf, FollowsFromTheEffectsAndFromWhatTheyLeave) {
+  const auto verdict = [](const Posterior& posterior, bool numbers_are_off) {
+    return verdict_of(posterior, answer_of(posterior), numbers_are_off);
+  };
+  EXPECT_EQ(verdict({.hypotheses = {with({drag}, 1.0, 0.9), with({}, 0.0)}}, false), Verdict::explained);
+  EXPECT_EQ(verdict({.hypotheses = {with({drag}, 1.0, 0.2), with({}, 0.0)}}, false), Verdict::partly_explained);
+  EXPECT_EQ(verdict({.hypotheses = {with({}, 1.0, 0.2)}}, true), Verdict::unexplained);
+  EXPECT_EQ(verdict({.hypotheses = {with({}, 1.0, 0.9)}}, true), Verdict::declared_numbers_off);
+  EXPECT_EQ(verdict({.hypotheses = {with({}, 1.0, 0.9)}}, false), Verdict::no_missing_effect);
+}
+
+}  // namespace
+}  // namespace coilwright::measurement::identification

@@ -29,7 +29,7 @@ TEST(FilmClock, SeesWhenATagBeginsToMoveBetweenTwoPictures) {
   for (const double start : {0.3011, 0.3043, 0.3082}) {
     const auto onset = onset_of(started_at(start), interval);
     ASSERT_TRUE(onset);
-    // 1e-3 rad of noise on the 5e-3 to 2e-2 rad of the four pictures that count are 1.6 to 0.8 ms of their times.
+    // 1e-3 rad of noise on the 5e-3 to 2e-2 rad of the six pictures that count are 1.6 to 0.8 ms of their times.
     EXPECT_NEAR(onset->time, start, 0.25 * interval);
     EXPECT_GE(onset->sigma, interval);
     EXPECT_LT(onset->sigma, 1.2 * interval);
@@ -38,7 +38,7 @@ TEST(FilmClock, SeesWhenATagBeginsToMoveBetweenTwoPictures) {
 
 // The tip of a finger of two joints starts faster than it goes on: the root of its way is no line.
 TEST(FilmClock, SeesWhenATipOfTwoJointsBeginsToMove) {
-  // Way of the paper's finger, degrees, every 4 ms after a step to 1.2 A: `coilwright simulate --step-A 1.2`.
+  // Way of the paper's finger, with air drag, degrees, every 4 ms after a step to 1.2 A: the ideal record of a twin of film_loop_test.py.
   constexpr std::array way = {0.0, 1.56, 4.76, 8.65, 13.10, 18.04, 23.34, 28.80, 34.21, 39.40};
   constexpr double fast = 1.0 / 240.0;
   for (const double start : {0.3005, 0.3017, 0.3031}) {

@@ -185,7 +185,14 @@ void run_diagnose(const DiagnoseOptions& options) {
     if (Minutes(std::chrono::steady_clock::now() - begun).count() > options.minutes)
       end(fmt::format("stopped after {:g} minutes", options.minutes));
   }
-  const Diagnosis diagnosis = work.get();
+  const Diagnosis diagnosis = [&] {
+    try {
+      return work.get();
+    } catch (const text::InputError&) {
+      record.discard();
+      throw;
+    }
+  }();
   if (!options.quiet) std::cerr << report::to_text(diagnosis.phases);
   record.unlock();
   write(options, asked, diagnosis);

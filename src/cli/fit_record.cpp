@@ -37,14 +37,25 @@ void FitRecord::remove() {
   fs::remove(path, kept);
 }
 
+void FitRecord::discard() {
+  unlock();
+  if (is_new) remove();
+  std::error_code kept;
+  if (is_new_folder) fs::remove(path.parent_path(), kept);
+}
+
 FitRecord open_fit_record(const fs::path& folder, const results::Provenance& question, std::string way, Begin begin) {
-  fs::create_directories(folder);
-  FitRecord out{
-      .path = folder / archive_name, .lock = std::make_unique<text::FolderLock>(folder), .known_fits = nullptr};
+  const bool is_new_folder = fs::create_directories(folder);
+  FitRecord out{.path = folder / archive_name,
+                .lock = std::make_unique<text::FolderLock>(folder),
+                .known_fits = nullptr,
+                .is_new = false,
+                .is_new_folder = is_new_folder};
   archive::Contents asked = contents_of(question);
   asked.algorithm = std::move(way);
   asked.seed = question.seed;
-  if (!goes_on(out.path, asked, begin)) archive::create(out.path, asked);
+  out.is_new = !goes_on(out.path, asked, begin);
+  if (out.is_new) archive::create(out.path, asked);
   text::remove_left_parts(out.path);
   const archive::KeptFits fits = archive::open_fits(out.path, [](const std::string& line) {
     std::cerr << "coilwright: " + line + '\n' << std::flush;

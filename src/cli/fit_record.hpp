@@ -22,11 +22,15 @@ struct FitRecord {
   std::filesystem::path path;
   std::unique_ptr<text::FolderLock> lock;
   std::shared_ptr<const measurement::replay::KnownFits> known_fits;
+  bool is_new;         ///< the archive was made for this run
+  bool is_new_folder;  ///< and so was the folder
 
   /// Lets results be written to the folder.
   void unlock() { lock.reset(); }
   /// There is an answer: the archive goes, and no fit may use it any more.
   void remove();
+  /// There will be none: of what was made for this run nothing stays.
+  void discard();
 };
 
 /// `way`: what else decides the fits beside files and seed. Throws text::InputError where the archive that is there may

@@ -38,7 +38,8 @@ TEST(FilmClock, SeesWhenATagBeginsToMoveBetweenTwoPictures) {
 
 // The tip of a finger of two joints starts faster than it goes on: the root of its way is no line.
 TEST(FilmClock, SeesWhenATipOfTwoJointsBeginsToMove) {
-  // Way of the paper's finger, with air drag, degrees, every 4 ms after a step to 1.2 A: the ideal record of a twin of film_loop_test.py.
+  // Way of the paper's finger, with air drag, degrees, every 4 ms after a step to 1.2 A: the ideal record of a twin of
+  // film_loop_test.py.
   constexpr std::array way = {0.0, 1.56, 4.76, 8.65, 13.10, 18.04, 23.34, 28.80, 34.21, 39.40};
   constexpr double fast = 1.0 / 240.0;
   for (const double start : {0.3005, 0.3017, 0.3031}) {

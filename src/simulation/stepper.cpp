@@ -54,12 +54,69 @@ double Stepper::ErrorChecker::error(algebra_type& /*algebra*/, const PackedState
 Stepper::Stepper(const actuator::Model& model, const Tolerance& tolerance)
     : model_(model),
       controlled_(ErrorChecker(tolerance, model.joints())),
+      lag_(model.drive_lag()),
       tolerance_(tolerance),
       squared_contact_frequencies_(model.chain().joint_mobility()) {
   for (int j = 0; j < model.joints(); ++j) squared_contact_frequencies_[j] *= model.hinges()[j].contact.stiffness;
 }
 
+// The drive's lag is known in closed form while the input is held, and leaves the motion a transient of its own: a
+// part p = a exp(-t / T) of the whole state x that hardly anything else is seen in. What is integrated is z = x - p,
+// z' = f(z + p) - p', which is exact whatever a is. That of the lag's states, x less where they end, makes z constant
+// there. The rest of a is chosen such that z sets out like a motion that has no transient, with the slopes of the place
+// x - a: by iteration of a = T (f(x - a) - f(x)), which converges where T is short against all else.
+void Stepper::split_fading() {
+  const auto first = static_cast<std::size_t>(2 * model_.joints());
+  const auto lags = static_cast<std::size_t>(drive_end_.size());
+  PackedState fading(values_.size(), 0.0);
+  for (std::size_t i = 0; i < lags; ++i)
+    fading[first + i] = values_[first + i] - drive_end_[static_cast<Eigen::Index>(i)];
+  drive_end_.resize(0);
+  constexpr double slowest_transient = 2e-3;  // s; a slower one is as smooth as the motion
+  PackedState there(values_.size(), 0.0);
+  PackedState bent(values_.size(), 0.0);
+  for (int i = 0; i < 2 && lag_ < slowest_transient; ++i) {
+    for (std::size_t k = 0; k < there.size(); ++k) there[k] = values_[k] - fading[k];
+    derive_whole(there, bent, time_);
+    for (std::size_t k = 0; k < there.size(); ++k)
+      if (k < first || k >= first + lags) fading[k] = lag_ * (bent[k] - slopes_[k]);
+  }
+  for (std::size_t k = 0; k < there.size(); ++k) {
+    values_[k] -= fading[k];
+    slopes_[k] += fading[k] / lag_;
+  }
+  std::fill_n(slopes_.begin() + static_cast<std::ptrdiff_t>(first), lags, 0.0);
+  fading_ = fading;
+}
+
+double Stepper::fading_share(double time) const {
+  return std::exp(-(time - start_time_) / lag_);
+}
+
+// `values` and what has not faded yet.
+PackedState Stepper::whole(PackedState values, double time) const {
+  if (!fading_.empty()) add_fading(values, fading_share(time));
+  return values;
+}
+
+void Stepper::add_fading(PackedState& values, double share) const {
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] += share * fading_[i];
+}
+
 void Stepper::derive(const PackedState& values, PackedState& slopes, double time) const {
+  if (fading_.empty()) {
+    derive_whole(values, slopes, time);
+    return;
+  }
+  const double share = fading_share(time);
+  PackedState with(values);
+  add_fading(with, share);
+  derive_whole(with, slopes, time);
+  add_fading(slopes, share / lag_);
+  std::fill_n(slopes.data() + 2 * model_.joints(), model_.drive_states(), 0.0);
+}
+
+void Stepper::derive_whole(const PackedState& values, PackedState& slopes, double time) const {
   const int n = model_.joints();
   const auto count = static_cast<std::size_t>(model_.internal_states());
   const mechanics::JointVector angles = Eigen::Map<const Eigen::VectorXd>(values.data(), n);
@@ -92,11 +149,13 @@ void Stepper::start(double time, const State& state, Input input, std::optional<
   start_time_ = time;
   time_ = previous_time_ = time;
   values_ = pack(state);
+  slopes_.assign(values_.size(), 0.0);
+  derive_whole(values_, slopes_, time_);
+  fading_.clear();
   drive_end_.resize(0);
   if (model_.drive_states() > 0 && !growth_)
     drive_end_ = model_.settled(state.angles, input_.currents).head(model_.drive_states());
-  slopes_.assign(values_.size(), 0.0);
-  derive(values_, slopes_, time_);
+  if (lag_ > 0.0 && !growth_) split_fading();
   previous_values_ = values_;
   previous_slopes_ = slopes_;
   // What was at rest has taken long steps, and its motion now is another one. Shorter ones find their way themselves.
@@ -131,10 +190,11 @@ double Stepper::first_step() const {
   return std::min(100.0 * guess, other);
 }
 
-// The drive's states tend to constants while the input is held. An explicit method that takes a lag of microseconds at
-// the edge of its stability never gets there: it keeps an error about its tolerance, and steps of the lag's own length
-// for good. Until they have arrived no step is longer than the time in which the last of them would at its present
-// speed. The last, not the first: a lag that follows a warming coil passes its own end on the way, at full speed.
+// States of a drive that are integrated tend to constants while the input is held. An explicit method that takes a lag
+// of microseconds at the edge of its stability never gets there: it keeps an error about its tolerance, and steps of
+// the lag's own length for good. Until they have arrived no step is longer than the time in which the last of them
+// would at its present speed. The last, not the first: a lag that follows a warming coil passes its own end on the way,
+// at full speed.
 void Stepper::approach_drive_end() {
   const double* states = values_.data() + 2 * model_.joints();
   const double* slopes = slopes_.data() + 2 * model_.joints();
@@ -160,6 +220,8 @@ void Stepper::step() {
     rest_drive();
     approach_drive_end();
   }
+  constexpr double gone = 1e-17;
+  if (!fading_.empty() && fading_share(time_) < gone) fading_.clear();
   previous_values_ = values_;
   previous_slopes_ = slopes_;
   previous_time_ = time_;
@@ -278,10 +340,12 @@ bool Stepper::step_stiffly(double frequency) {
 
 double Stepper::first_contact() const {
   double first = time_;
+  const PackedState before = whole(previous_values_, previous_time_);
+  const PackedState after = whole(values_, time_);
   for (int j = 0; j < model_.joints(); ++j) {
     const double closing = model_.hinges()[j].contact.closing_angle;
-    const bool pressed = previous_values_[j] < closing;
-    if (pressed == (values_[j] < closing)) continue;
+    const bool pressed = before[j] < closing;
+    if (pressed == (after[j] < closing)) continue;
     first = bisected(previous_time_, first, [&](double time) { return (at(time).angles[j] < closing) != pressed; });
   }
   return first;
@@ -305,7 +369,7 @@ State Stepper::at(double time) const {
   PackedState values(values_.size());
   controlled_.stepper().calc_state(time, values, previous_values_, previous_slopes_, previous_time_, values_, slopes_,
                                    time_);
-  return unpack(values);
+  return unpack(whole(std::move(values), time));
 }
 
 Stepper::Bending Stepper::bending() const {
@@ -313,7 +377,9 @@ Stepper::Bending Stepper::bending() const {
   const auto sum = [n](const PackedState& values, int first) {
     return std::accumulate(values.begin() + first, values.begin() + first + n, 0.0);
   };
-  return {.time = time_, .angle = sum(values_, 0), .speed = sum(values_, n), .acceleration = sum(slopes_, n)};
+  const PackedState values = packed();
+  const double fading = fading_.empty() ? 0.0 : fading_share(time_) / lag_ * sum(fading_, n);
+  return {.time = time_, .angle = sum(values, 0), .speed = sum(values, n), .acceleration = sum(slopes_, n) - fading};
 }
 
 State Stepper::unpack(const PackedState& values) const {

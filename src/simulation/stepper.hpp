@@ -69,9 +69,9 @@ class Stepper {
   /// State anywhere in the last step: the method's own continuous extension, of fourth order.
   [[nodiscard]] State at(double time) const;
   /// State at the end of the last step.
-  [[nodiscard]] State now() const { return unpack(values_); }
-  /// The same as it is kept: without a copy, for whoever looks at every step.
-  [[nodiscard]] const PackedState& packed() const noexcept { return values_; }
+  [[nodiscard]] State now() const { return unpack(packed()); }
+  /// The same without its three vectors, for whoever looks at every step.
+  [[nodiscard]] PackedState packed() const { return whole(values_, time_); }
   [[nodiscard]] Bending bending() const;
 
  private:
@@ -102,9 +102,14 @@ class Stepper {
   void advance();
   void approach_drive_end();
   void rest_drive();
+  void split_fading();
+  [[nodiscard]] double fading_share(double time) const;
+  [[nodiscard]] PackedState whole(PackedState values, double time) const;
+  void add_fading(PackedState& values, double share) const;
   [[nodiscard]] double first_contact() const;  // in the last step; its end if there is none
   [[nodiscard]] double first_step() const;
   void derive(const PackedState& values, PackedState& slopes, double time) const;
+  void derive_whole(const PackedState& values, PackedState& slopes, double time) const;
   [[nodiscard]] State unpack(const PackedState& values) const;
 
   const actuator::Model& model_;
@@ -114,6 +119,8 @@ class Stepper {
   double start_time_ = 0.0;
   // Where the drive's states end under the held input; empty once they are there, and for a model without any.
   Eigen::VectorXd drive_end_;
+  double lag_ = 0.0;    // of the drive (Model::drive_lag), s
+  PackedState fading_;  // what of the state fades with it, at the start; empty where nothing does. values_ are the rest
   double time_ = 0.0;
   double previous_time_ = 0.0;
   double next_step_ = 1e-4;  // s; a hundredth of the fastest mode of a finger, adapted at once

@@ -97,6 +97,7 @@ class FollowingTerm : public EffectTerm {
   bool slow() const final { return time_constant_ > slow_time; }
 
  protected:
+  [[nodiscard]] double time_constant() const { return time_constant_; }
   [[nodiscard]] double slope(double entering, double state) const { return (entering - state) / time_constant_; }
 
  private:

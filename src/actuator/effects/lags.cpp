@@ -19,6 +19,8 @@ class CurrentLag final : public FollowingTerm {
     std::copy_n(currents.data(), states(), out);
   }
 
+  double lag() const override { return time_constant(); }
+
   void drive(InternalStateView own, CoilCurrents& currents) const override {
     for (int c = 0; c < states(); ++c) {
       if (own.slopes != nullptr) own.slopes[c] = slope(currents[c], own.states[c]);

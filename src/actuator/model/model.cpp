@@ -66,6 +66,12 @@ bool Model::is_of_a_body(int internal_state) const {
   });
 }
 
+double Model::drive_lag() const noexcept {
+  for (const Term& term : terms(Stage::drive, Stage::drive))
+    if (!term.held && drive_states_ > 0 && term.effect->states() == drive_states_) return term.effect->lag();
+  return 0.0;
+}
+
 std::span<const Model::Term> Model::terms(Stage first, Stage last) const {
   const std::size_t begin = stage_begin_[static_cast<std::size_t>(first)];
   return std::span(terms_).subspan(begin, stage_begin_[static_cast<std::size_t>(last) + 1] - begin);

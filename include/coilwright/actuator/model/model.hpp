@@ -49,6 +49,8 @@ class Model {
   [[nodiscard]] int internal_states() const noexcept { return internal_states_; }
   /// How many of these belong to the drive; they come first and follow from the command alone, not from the motion.
   [[nodiscard]] int drive_states() const noexcept { return drive_states_; }
+  /// The time constant of the drive's states, s, where they are one lag and nothing else (EffectTerm::lag); else 0.
+  [[nodiscard]] double drive_lag() const noexcept;
   /// Whether that one of them is the place or the rate of a body that moves beside the chain (EffectTerm::Body).
   [[nodiscard]] bool is_of_a_body(int internal_state) const;
   /// The effects' states at rest at `angles` (rad) under `command` (A).

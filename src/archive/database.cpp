@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -22,9 +23,6 @@ namespace coilwright::archive {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Another process holds the file for milliseconds at a time.
-constexpr int busy_timeout = 10'000;  // ms
 
 constexpr int longest_value = 100'000'000;  // bytes; of a study's inputs the largest are 16 MB
 
@@ -66,6 +64,8 @@ void require_archive(const fs::path& path, SQLite::Database& database) {
       throw error_about(path,
                         "is of a run that was killed or is under way, and needs some room on its disk to be read: "
                         "the disk is full");
+    if (error.getErrorCode() == SQLITE_BUSY)
+      throw error_about(path, "is locked: wait for the end of the run that writes to it");
     throw error_about(path, fmt::format("is no archive of a study, or a torn one: {}; {}", error.what(), cure));
   }
   if (application != application_id)
@@ -132,12 +132,13 @@ bool is_log(const fs::path& path, std::string_view beginning) {
   return head == beginning || head == std::string(beginning.size(), '\0');
 }
 
-SQLite::Database open(const fs::path& path, int flags) {
+SQLite::Database open(const fs::path& path, int flags, std::chrono::milliseconds patience = usual_patience) {
   require_file(path);
   (void)logs_of(path);  // what else has such a name, SQLite would take back and delete
   // Whoever has a connection lets one thread use it at a time; SQLite need not lock it once more for each value.
-  SQLite::Database database =
-      reading(path, [&] { return SQLite::Database(path.string(), flags | SQLite::OPEN_NOMUTEX, busy_timeout); });
+  SQLite::Database database = reading(path, [&] {
+    return SQLite::Database(path.string(), flags | SQLite::OPEN_NOMUTEX, static_cast<int>(patience.count()));
+  });
   distrust(database);
   require_archive(path, database);
   require_our_tables_only(path, database);
@@ -195,8 +196,8 @@ SQLite::Database open_to_read(const fs::path& path) {
   return open(path, SQLite::OPEN_READONLY);
 }
 
-SQLite::Database open_to_write(const fs::path& path) {
-  SQLite::Database database = open(path, SQLite::OPEN_READWRITE);
+SQLite::Database open_to_write(const fs::path& path, std::chrono::milliseconds patience) {
+  SQLite::Database database = open(path, SQLite::OPEN_READWRITE, patience);
   if (version_of(database) < first_version_with_checksums)
     throw error_about(path, "was written by an earlier coilwright, without checksums: nothing is added to it");
   writing(path, text::OutputError::Stage::preparing, [&] {

@@ -2,6 +2,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <chrono>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -14,13 +15,17 @@
 
 namespace coilwright::archive {
 
+/// How long a lock of another process is waited for, which holds the file for milliseconds at a time.
+inline constexpr std::chrono::milliseconds usual_patience{10'000};
+
 /// Opens an archive that is there, to be read. Throws InputError for a file that is none, of another program or of a
 /// later version, and where it cannot be read. Its checksums are not looked at: require_whole().
 [[nodiscard]] SQLite::Database open_to_read(const std::filesystem::path& path);
 
 /// The same to be written to, with a write-ahead log whose commits are on the disk when they return: what is recorded
 /// outlives a failing power supply. Throws OutputError (preparing) where it cannot be written.
-[[nodiscard]] SQLite::Database open_to_write(const std::filesystem::path& path);
+[[nodiscard]] SQLite::Database open_to_write(const std::filesystem::path& path,
+                                             std::chrono::milliseconds patience = usual_patience);
 
 /// What SQLite keeps beside an archive and deletes with its last change: logs of a run that is under way or was killed.
 /// Throws InputError where another file stands in the place of one, or no archive beside it.

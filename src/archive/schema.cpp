@@ -30,7 +30,7 @@ CREATE TABLE runs (
 constexpr std::string_view table_of_designs = R"(
 CREATE TABLE {} (
   id INTEGER PRIMARY KEY, run INTEGER NOT NULL, number INTEGER, status TEXT NOT NULL, failure TEXT,
-  infeasibility, has_quantities INTEGER NOT NULL, took_s, ended_unix_s, origin TEXT{}, {}, checksum INTEGER);
+  infeasibility, has_quantities INTEGER NOT NULL, took_s, ended_unix_s, origin TEXT{}{}, checksum INTEGER);
 )";
 
 constexpr std::string_view table_of_counts = R"(
@@ -38,10 +38,10 @@ CREATE TABLE recorded (position INTEGER PRIMARY KEY, name TEXT NOT NULL, rows IN
 )";
 
 std::string table_of(Designs table, const std::vector<Column>& columns) {
-  std::vector<std::string> names;
-  for (const Column& column : columns) names.push_back(sql_name(column.column));
+  std::string names;
+  for (const Column& column : columns) names += ", " + sql_name(column.column);
   return fmt::format(table_of_designs, name_of(table), table == Designs::of_the_study ? "" : ", choice TEXT NOT NULL",
-                     fmt::join(names, ", "));
+                     names);
 }
 
 std::vector<std::string> places_of(const std::vector<std::string>& names) {

@@ -32,9 +32,9 @@ inline constexpr std::array<Designs, 2> tables_of_designs{Designs::of_the_study,
 inline constexpr std::array<std::string_view, 10> fixed_columns{
     "id", "run", "number", "status", "failure", "infeasibility", "has_quantities", "took_s", "ended_unix_s", "origin"};
 
-/// All tables, as SQL lists texts.
+/// All tables, as SQL lists texts; only the archive of a diagnosis has the last.
 inline constexpr std::string_view table_names =
-    "'study', 'inputs', 'changes', 'columns', 'runs', 'designs', 'other_choices', 'recorded'";
+    "'study', 'inputs', 'changes', 'columns', 'runs', 'designs', 'other_choices', 'recorded', 'fits'";
 
 /// A name between double quotes, as SQL wants it.
 [[nodiscard]] std::string sql_name(std::string_view name);

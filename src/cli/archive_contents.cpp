@@ -1,6 +1,7 @@
 #include "archive_contents.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <optional>
 #include <string>
@@ -36,15 +37,25 @@ archive::Program this_program() {
           .build = told ? "" : results::record_of("/proc/self/exe").sha256};
 }
 
-archive::Contents contents_of(const sizing::Study& study, const results::Provenance& provenance, bool builds_a_system) {
+std::string archive_of_another_run(const std::vector<std::string>& differences) {
+  return fmt::format("holds the archive of another run ({}): --force replaces it, another --out keeps it",
+                     fmt::join(differences, "; "));
+}
+
+archive::Contents contents_of(const results::Provenance& provenance) {
   archive::Contents contents;
   contents.command = provenance.command;
-  contents.study = study.name;
   contents.program = this_program();
   for (const results::InputRecord& input : provenance.inputs)
     contents.inputs.push_back({.file = input.file, .sha256 = input.sha256, .text = input.text});
   contents.changes = provenance.changes;
   contents.question = hash_of(provenance);
+  return contents;
+}
+
+archive::Contents contents_of(const sizing::Study& study, const results::Provenance& provenance, bool builds_a_system) {
+  archive::Contents contents = contents_of(provenance);
+  contents.study = study.name;
   contents.physics = {.actuator = results::sha256(formats::to_json(study.base, "").text()),
                       .operation = results::sha256(operation_text(study)),
                       .systems = builds_a_system || study.spread ? contents.question : ""};

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "coilwright/archive/contents.hpp"
 #include "coilwright/results/provenance.hpp"
 #include "coilwright/sizing/study/study.hpp"
@@ -11,6 +14,12 @@ inline constexpr const char* archive_name = "archive.sqlite";
 
 /// This program, as archives name it.
 [[nodiscard]] archive::Program this_program();
+
+/// What the archive of a run is an archive of, but for a study: command, program, inputs and changes.
+[[nodiscard]] archive::Contents contents_of(const results::Provenance& provenance);
+
+/// What a folder that `differences` keep from being gone on with is refused with.
+[[nodiscard]] std::string archive_of_another_run(const std::vector<std::string>& differences);
 
 /// What the archive of a run of `study` is an archive of. A system that is built from the actuator is described by the
 /// study's text alone. Seed and algorithm are the study's where the provenance has a

@@ -29,6 +29,7 @@
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
+#include "fit_record.hpp"
 #include "options.hpp"
 #include "outputs.hpp"
 #include "part_run.hpp"
@@ -49,6 +50,7 @@ struct DiagnoseOptions {
   double minutes = std::numeric_limits<double>::infinity();
   bool as_written{false};
   bool force{false};
+  bool resume{false};
   bool quiet{false};
   bool json{false};
   bool report{false};
@@ -91,7 +93,8 @@ class KnownSoFar {
   std::optional<Diagnosis> known_;
 };
 
-Diagnosis diagnose(const DiagnoseOptions& options, const results::AskedDiagnosis& asked, KnownSoFar& known) {
+Diagnosis diagnose(const DiagnoseOptions& options, const results::AskedDiagnosis& asked, KnownSoFar& known,
+                   std::shared_ptr<const measurement::replay::KnownFits> fits) {
   // Ceres tells standard error of every fit that it gives up; a hypothesis that cannot be simulated is no news here.
   FLAGS_minloglevel = google::GLOG_FATAL;
   measurement::DiagnosisOptions how{.threads = options.threads, .as_written = options.as_written};
@@ -100,6 +103,7 @@ Diagnosis diagnose(const DiagnoseOptions& options, const results::AskedDiagnosis
     how.warn = [](const measurement::data::Warning& each) {
       std::cerr << "warning: " << each.run << ": " << each.text << '\n';
     };
+  how.known_fits = std::move(fits);
   how.known = [&known](const Diagnosis& so_far) { known.set(so_far); };
   if (!options.quiet) how.progress = [](const std::string& line) { std::cerr << line << '\n'; };
   return results::diagnose(asked, std::move(how));
@@ -131,7 +135,7 @@ void write(const DiagnoseOptions& options, const results::AskedDiagnosis& asked,
     std::cerr << "coilwright: " << why << ": "
               << (known ? fmt::format("{} has what is known so far, marked as incomplete", options.out)
                         : std::string("nothing is written"))
-              << '\n';
+              << "; --resume goes on from there\n";
   } catch (const std::exception& reason) {
     std::cerr << "coilwright: " << reason.what() << '\n';
     code = ExitCode::failure;
@@ -139,11 +143,16 @@ void write(const DiagnoseOptions& options, const results::AskedDiagnosis& asked,
   std::_Exit(static_cast<int>(code));
 }
 
+// What the answer depends on beside files and seed.
+std::string way_of(const DiagnoseOptions& options) {
+  return options.as_written ? "--as-written" : "guarded against slips";
+}
+
 // One of many sets, which have nothing in common but the program and how it is asked.
 formats::PartFile part_of(const DiagnoseOptions& options) {
   const results::Provenance question{.command = "diagnose", .seed = options.seed};
   return {.part = options.part.part.value(),
-          .whole = whole_of(question, "data sets", options.as_written ? "--as-written" : "guarded against slips"),
+          .whole = whole_of(question, "data sets", way_of(options)),
           .machine = this_machine(),
           .results = options.dataset};
 }
@@ -157,19 +166,37 @@ void run_diagnose(const DiagnoseOptions& options) {
     require_figures_of_head(options.part, part->machine);
     std::filesystem::remove(std::filesystem::path(options.out) / part_name);
   }
+  FitRecord record = open_fit_record(options.out, asked.provenance, way_of(options),
+                                     options.force    ? Begin::force
+                                     : options.resume ? Begin::resume
+                                                      : Begin::anew);
   KnownSoFar known;
-  std::future<Diagnosis> work = std::async(std::launch::async, [&] { return diagnose(options, asked, known); });
+  std::future<Diagnosis> work =
+      std::async(std::launch::async, [&, fits = record.known_fits] { return diagnose(options, asked, known, fits); });
+  const auto end = [&](std::string_view why) {
+    record.unlock();
+    end_interrupted(options, asked, known.get(), why);
+  };
   constexpr std::chrono::milliseconds soon{50};
   using Minutes = std::chrono::duration<double, std::ratio<60>>;
   const auto begun = std::chrono::steady_clock::now();
   while (work.wait_for(soon) != std::future_status::ready) {
-    if (stop.requested()) end_interrupted(options, asked, known.get(), "interrupted");
+    if (stop.requested()) end("interrupted");
     if (Minutes(std::chrono::steady_clock::now() - begun).count() > options.minutes)
-      end_interrupted(options, asked, known.get(), fmt::format("stopped after {:g} minutes", options.minutes));
+      end(fmt::format("stopped after {:g} minutes", options.minutes));
   }
-  const Diagnosis diagnosis = work.get();
+  const Diagnosis diagnosis = [&] {
+    try {
+      return work.get();
+    } catch (const text::InputError&) {
+      record.discard();
+      throw;
+    }
+  }();
   if (!options.quiet) std::cerr << report::to_text(diagnosis.phases);
+  record.unlock();
   write(options, asked, diagnosis);
+  record.remove();
   if (!part) return;
   text::OutputFolder folder(options.out);
   write_part(folder, *part);
@@ -194,6 +221,11 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
   add_number(*command, "--minutes", options->minutes, up_to(1e6),
              "Stop after this time, as Ctrl-C does, and write what is known so far (default: no limit)");
   add_force_option(*command, options->force);
+  add_flag(
+      *command, "--resume", options->resume,
+      "Go on from the fits that are recorded in the folder of a diagnosis that was cut short; begin where it holds "
+      "none")
+      ->excludes("--force");
   add_flag(*command, "--quiet", options->quiet, "Show no progress; warnings of the records remain");
   add_flag(*command, "--json", options->json, "Print diagnosis.json instead of the summary");
   command->footer(
@@ -209,7 +241,7 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
       "these names only with --force. The exit code is 0 for every verdict. Ctrl-C, and --minutes, write what is known "
       "so far\n"
       "(the recalibrated model, the odds of what was compared) with the verdict \"incomplete\"; the exit code is then "
-      "130.\n\n"
+      "130, and --resume goes on from the fits that had ended.\n\n"
       "Example:\n"
       "  coilwright diagnose studies/undeclared_effect/data --out results/undeclared_effect");
   add_report_option(*command, options->report);

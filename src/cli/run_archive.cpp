@@ -192,9 +192,7 @@ std::string RunArchive::require_same_run(const archive::Reader& found, const arc
   const std::string taken_over = archive::differences_for_reuse(found.contents(), asked).empty()
                                      ? fmt::format(", and --reuse {} takes its designs over", folder_.path().string())
                                      : "";
-  throw refusal(folder_.path(), fmt::format("holds the archive of another run ({}): --force replaces it, another --out "
-                                            "keeps it{}",
-                                            fmt::join(differing, "; "), taken_over));
+  throw refusal(folder_.path(), archive_of_another_run(differing) + taken_over);
 }
 
 void RunArchive::take_others(const StudyOptions& options, const archive::Contents& asked,

@@ -179,6 +179,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
     runs.push_back(replay::prepare_run(run, declared, nominal));
     replay::give_recorded_noise(runs.back(), data.still, usable.runs);
     runs.back().simulations = timer.simulations();
+    runs.back().known_fits = options.known_fits;
   }
   fit::weigh_input_errors(runs, as_declared, as_declared.start(), nullptr);
   FinalErrors::require_fits_model(data.validate, declared, nominal);

@@ -1,16 +1,21 @@
 """kill -9 at random moments, of runs of studies every other one while designs are recorded, and --resume till the end:
-nothing recorded is lost, and no byte of any result differs. The same of every other command that writes, said again.
+nothing recorded is lost, and no byte of any result differs. The same of diagnoses, whose fits are recorded, and of every
+other command that writes, said again.
 
-COILWRIGHT_KILLS is the number of kills (default 24), half of them of studies.
+COILWRIGHT_KILLS is the number of kills (default 24), half of them of studies, and a fourth as many more of diagnoses.
 """
 
+import contextlib
+import json
 import os
 import random
+import sqlite3
 import subprocess
 import time
 import unittest
 
-from archived_runs import designs_of, results_of, start, stop_with_designs
+from archived_runs import ARCHIVE, designs_of, results_of, start, stop_with_designs
+from diagnose_test import PLAN, ROD
 from program import HANGS, PROGRAM, ProgramTest, run
 from study import FRONT, GRID, write_study
 from writing_commands import COMMANDS, SLOW, STUDIES as SMALL, WritingCommands
@@ -108,6 +113,77 @@ class KilledRuns(ProgramTest):
                         self.empty(self.folder / "killed")
         print(f"{self.kills} kills, {self.kills_with_designs} of them with designs recorded")
         self.assertGreater(self.kills_with_designs, KILLS // 3)
+
+
+class KilledDiagnoses(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("rod.json", json.dumps(ROD))
+        self.write("plan.json", json.dumps(PLAN))
+        self.assertEqual(run("twin", "rod.json", "--experiment", "plan.json", "--out", "set", "--effect",
+                             "dry_friction:torque_Nmm=25", cwd=self.folder).returncode, 0)
+        begin = time.monotonic()
+        self.answer = run("diagnose", "set", "--out", "whole", "--quiet", cwd=self.folder)
+        self.duration = time.monotonic() - begin
+        self.assertEqual((self.answer.returncode, self.answer.stderr), (0, ""))
+
+    def fits(self):
+        with contextlib.closing(sqlite3.connect(self.folder / "killed" / ARCHIVE)) as database:
+            return database.execute("SELECT asked, found FROM fits ORDER BY asked").fetchall()
+
+    def kill(self, after):
+        process = start("diagnose", "set", "--out", "killed", "--resume", "--quiet", cwd=self.folder)
+        time.sleep(after)
+        process.kill()
+        process.communicate(timeout=HANGS)
+        return process.returncode == -9 and (self.folder / "killed" / ARCHIVE).exists()
+
+    def assert_resumed(self, *arguments):
+        """It ends like a run that was never interrupted, and its record goes."""
+        result = run("diagnose", "set", "--out", "killed", "--quiet", "--resume", *arguments, cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr, result.stdout), (0, "", self.answer.stdout))
+        self.assertEqual(results_of(self.folder / "killed"), results_of(self.folder / "whole"))
+        self.assertFalse((self.folder / "killed" / ARCHIVE).exists())
+
+    def test_no_finished_fit_is_lost_and_no_byte_differs(self):
+        draw = random.Random(17)
+        kills, kept = 0, 0
+        while kills < max(3, KILLS // 4):
+            fits = []
+            while self.kill(draw.uniform(0, self.duration)) and kills < max(3, KILLS // 4):
+                kills += 1
+                now = self.fits()
+                self.assertLessEqual(set(fits), set(now))
+                fits, kept = now, max(kept, len(now))
+            self.assert_resumed("--threads", draw.choice("12"))
+        print(f"{kills} kills of diagnoses, up to {kept} fits recorded")
+        self.assertGreater(kept, 20)
+
+    def test_a_changed_byte_is_not_answered_from(self):
+        while not (self.kill(0.7 * self.duration) and len(self.fits()) > 20):
+            pass
+        draw = random.Random(19)
+        with contextlib.closing(sqlite3.connect(self.folder / "killed" / ARCHIVE)) as database, database:
+            for asked, found in self.fits():
+                changed = bytearray(found)
+                if changed:
+                    changed[draw.randrange(len(changed))] ^= 1 << draw.randrange(8)
+                    database.execute("UPDATE fits SET found = ? WHERE asked = ?", (bytes(changed), asked))
+        self.assert_resumed()
+
+    def test_other_data_or_another_seed_are_refused_in_a_line(self):
+        while not self.kill(0.7 * self.duration):
+            pass
+        refused = run("diagnose", "set", "--out", "killed", "--resume", "--seed", "2", cwd=self.folder)
+        self.assertEqual((refused.returncode, refused.stderr), (2,
+            "coilwright: killed: holds the archive of another run (seed 1, not seed 2): --force replaces it, another --out keeps "
+            "it\n"))
+        with open(self.folder / "set" / "dataset.json", "a", encoding="utf-8") as data:
+            data.write(" ")
+        refused = run("diagnose", "set", "--out", "killed", "--resume", cwd=self.folder)
+        self.assertEqual(refused.returncode, 2)
+        self.assertRegex(refused.stderr, "^coilwright: killed: holds the archive of another run "
+                                         r"\(set/dataset.json with another content \(SHA-256 .*\)\): --force replaces")
 
 
 class KilledCommands(WritingCommands):

@@ -20,7 +20,7 @@ QUICK_PLAN = {**PLAN, "sampling_rate_Hz": 40, "runs": [{**PLAN["runs"][i], "dura
 SLOW = {"reach"}
 SEARCH = {"max_evaluations": 10, "seed": 5}
 
-# Of each the arguments; those of studies are said again with --resume, all others as they are.
+# Of each the arguments; those of studies and of diagnose are said again with --resume, all others as they are.
 STUDIES = {
     "size": ["size", "size.json", "--out", "out", "--quiet"],
     "pareto": ["pareto", "pareto.json", "--out", "out", "--quiet"],
@@ -117,7 +117,7 @@ class WritingCommands(ProgramTest):
         said, whole = self.undisturbed(name)
         if name == "init" and files_of(self.place) == whole:
             return  # which replaces no file, not even its own
-        arguments = COMMANDS[name] + (["--resume"] if name in STUDIES else [])
+        arguments = COMMANDS[name] + (["--resume"] if name in {*STUDIES, "diagnose"} else [])
         result = run(*arguments, cwd=self.place)
         self.assertEqual(result.returncode, 0, f"{name}, {how}: {result.stderr}")
         if "--repair" not in arguments:  # which says what it did

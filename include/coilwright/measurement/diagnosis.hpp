@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,7 @@
 #include "coilwright/measurement/localise/residual_torque.hpp"
 #include "coilwright/measurement/planning/next_experiment.hpp"
 #include "coilwright/measurement/replay/declared_model.hpp"
+#include "coilwright/measurement/replay/known_fits.hpp"
 #include "coilwright/measurement/signals/noise_level.hpp"
 #include "coilwright/measurement/signals/whiteness_test.hpp"
 
@@ -109,7 +111,8 @@ struct DiagnosisOptions {
   /// Called with what is known so far, the verdict being Verdict::incomplete: once the model is recalibrated, and for
   /// each hypothesis that was compared since; never from two threads at once. Nothing that costs a simulation is in it.
   std::function<void(const Diagnosis&)> known{};
-  std::vector<identification::Belief> beliefs{};  ///< of effects of the catalogue, each at most once
+  std::shared_ptr<const replay::KnownFits> known_fits{};  ///< of the same question; null: every fit is made
+  std::vector<identification::Belief> beliefs{};          ///< of effects of the catalogue, each at most once
   /// Effects that the declared model may lack; the diagnosis refers to their kinds.
   actuator::EffectCatalogue effects = actuator::standard_effects();
 };

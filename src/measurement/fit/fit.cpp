@@ -4,6 +4,7 @@
 
 #include "coilwright/algebra/least_squares.hpp"
 #include "measurement/fit/least_squares.hpp"
+#include "measurement/fit/recorded_fit.hpp"
 #include "measurement/fit/residual_blocks.hpp"
 
 namespace coilwright::measurement::fit {
@@ -73,8 +74,10 @@ Fit fit_at(const FitRequest& request, std::span<const ResidualBlock> blocks, con
 
 std::optional<Fit> solve(const FitRequest& request, Unknowns unknowns) {
   ResidualBlocks blocks(request);
-  if (request.local_numbers_from == nullptr) blocks.start_clock_rates(request.start);
-  const auto optimum = least_squares(request, blocks, unknowns);
+  const auto optimum = recorded_or(request, blocks, unknowns, [&] {
+    if (request.local_numbers_from == nullptr) blocks.start_clock_rates(request.start);
+    return least_squares(request, blocks, unknowns);
+  });
   if (!optimum) return std::nullopt;
   return fit_at(request, blocks.blocks(), *optimum);
 }

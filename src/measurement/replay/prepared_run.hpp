@@ -10,6 +10,7 @@
 
 #include "coilwright/measurement/data/run.hpp"
 #include "coilwright/measurement/replay/declared_model.hpp"
+#include "coilwright/measurement/replay/known_fits.hpp"
 #include "coilwright/measurement/signals/noise_level.hpp"
 #include "coilwright/simulation/model_input.hpp"
 #include "coilwright/simulation/state.hpp"
@@ -91,8 +92,9 @@ struct PreparedRun {
   /// How many times the noise the model of a fit is expected to be wrong: priors, of declared numbers and of what only
   /// this run tells, hold so much more than against noise alone. The same in all runs of a fit.
   double model_error = 1.0;
-  std::vector<Window> windows{};  ///< of a transient; empty on a bench
-  SimulationCount simulations{};  ///< counts those of all copies; null: nobody asks
+  std::vector<Window> windows{};                  ///< of a transient; empty on a bench
+  SimulationCount simulations{};                  ///< counts those of all copies; null: nobody asks
+  std::shared_ptr<const KnownFits> known_fits{};  ///< of all runs of a fit; null: each fit is made
 
   void count_simulations(std::size_t more) const {
     if (simulations) *simulations += static_cast<long>(more);

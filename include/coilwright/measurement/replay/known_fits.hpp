@@ -1,0 +1,17 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace coilwright::measurement::replay {
+
+/// Finished fits that outlive the program, as bytes by the bytes of all that each is a function of beside the data set,
+/// the declared model and the program. Both functions may be called from several threads at once, and fail in silence:
+/// a fit that is not recalled is made.
+struct KnownFits {
+  std::function<std::optional<std::string>(const std::string& asked)> recall{};
+  std::function<void(const std::string& asked, const std::string& found)> keep{};
+};
+
+}  // namespace coilwright::measurement::replay

@@ -10,6 +10,7 @@ import json
 import os
 import random
 import sqlite3
+import statistics
 import subprocess
 import time
 import unittest
@@ -22,6 +23,7 @@ from writing_commands import COMMANDS, SLOW, STUDIES as SMALL, WritingCommands
 
 KILLS = int(os.environ.get("COILWRIGHT_KILLS", "24")) // 2
 KILLS_OF_A_RUN = 4  # one run may be killed several times before it ends
+ENDED = 7  # of a design as designs_of() gives it: when its evaluation ended, unix s
 
 # Most of the kills go to pareto.
 STUDIES = {
@@ -39,6 +41,7 @@ class KilledRuns(ProgramTest):
         self.random = random.Random(11)
         self.kills = 0
         self.kills_with_designs = 0
+        self.lost = []  # s of evaluations, at most, by each kill at any moment between two of them
         self.known = {}
 
     def undisturbed(self, name):
@@ -55,11 +58,13 @@ class KilledRuns(ProgramTest):
         return time.monotonic() - begin, result.stdout, results_of(whole), len(designs_of(whole))
 
     def wait(self, process, folder, duration, recorded, designs):
-        """Every other kill comes when more designs are recorded, however slow the machine is; the others at any moment."""
+        """Every other kill comes when more designs are recorded, however slow the machine is; the others at any moment;
+        whether it is one of those."""
         if self.kills % 2 == 0 and recorded < designs // 2:
             stop_with_designs(self, process, folder, recorded + self.random.randint(1, designs // 4))
-        else:
-            time.sleep(self.random.uniform(0, duration))
+            return False
+        time.sleep(self.random.uniform(0, duration))
+        return True
 
     def kill_and_resume(self, name):
         command = name.split()[0]
@@ -70,7 +75,8 @@ class KilledRuns(ProgramTest):
             if self.kills == KILLS:
                 break
             process = start(command, "study.json", "--out", "killed", "--resume", cwd=self.folder)
-            self.wait(process, folder, duration, len(recorded), designs)
+            is_at_any_moment = self.wait(process, folder, duration, len(recorded), designs)
+            killed = time.time()
             process.kill()
             output, errors = process.communicate(timeout=HANGS)
             if process.returncode == 0:
@@ -81,6 +87,8 @@ class KilledRuns(ProgramTest):
             self.kills += 1
             now = designs_of(folder)
             self.assertEqual(now[:len(recorded)], recorded)
+            if is_at_any_moment and len(recorded) < len(now) < designs:
+                self.lost.append(killed - max(design[ENDED] for design in now))
             recorded = now
             self.kills_with_designs += len(recorded) > 0
         result = run(command, "study.json", "--out", "killed", "--resume", cwd=self.folder)
@@ -112,6 +120,11 @@ class KilledRuns(ProgramTest):
                     finally:
                         self.empty(self.folder / "killed")
         print(f"{self.kills} kills, {self.kills_with_designs} of them with designs recorded")
+        if self.lost:
+            middle = statistics.median(self.lost)
+            print(f"{len(self.lost)} of them between two evaluations: the last recorded had ended at most {max(self.lost):.2f} s "
+                  f"before, in the median {middle:.2f} s")
+            self.assertLess(middle, 0.2)  # s
         self.assertGreater(self.kills_with_designs, KILLS // 3)
 
 

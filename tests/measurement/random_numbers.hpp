@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <numbers>
 #include <random>
+#include <vector>
 
 namespace coilwright::measurement {
 
@@ -22,5 +23,12 @@ class Normal {
  private:
   std::mt19937_64 engine_;
 };
+
+inline std::vector<double> normal_deviates(int count, std::uint64_t seed) {
+  Normal normal(seed);
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) values.push_back(normal());
+  return values;
+}
 
 }  // namespace coilwright::measurement

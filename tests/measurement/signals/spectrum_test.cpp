@@ -13,16 +13,9 @@ namespace {
 
 using std::numbers::pi;
 
-std::vector<double> draw(int count, std::uint64_t seed) {
-  Normal normal(seed);
-  std::vector<double> values;
-  for (int i = 0; i < count; ++i) values.push_back(normal());
-  return values;
-}
-
 TEST(Spectrum, CosineEnergiesAreTheDirectSums) {
   for (const int n : {1, 2, 5, 64, 97}) {
-    const std::vector<double> values = draw(n, n);
+    const std::vector<double> values = normal_deviates(n, n);
     const std::vector<double> energies = cosine_energies(values);
     ASSERT_EQ(energies.size(), values.size());
     double sum = 0.0;
@@ -40,7 +33,7 @@ TEST(Spectrum, CosineEnergiesAreTheDirectSums) {
 }
 
 TEST(Spectrum, PeriodogramIsTheDirectSum) {
-  const std::vector<double> values = draw(50, 3);
+  const std::vector<double> values = normal_deviates(50, 3);
   const Periodogram lines = periodogram(values);
   EXPECT_EQ(lines.size, 128u);
   ASSERT_EQ(lines.power.size(), 65u);

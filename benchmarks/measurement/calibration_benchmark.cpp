@@ -64,7 +64,7 @@ double drawn(const EffectKind& kind, std::size_t index, const actuator::RigScale
   if (!number.choices.empty())
     return number.choices[static_cast<std::size_t>(random.below(static_cast<int>(number.choices.size())))];
   const bool has_origin = number.absent && std::isfinite(*number.absent);
-  if (!has_origin && std::isfinite(number.lower) && std::isfinite(number.upper))
+  if (!has_origin && std::isfinite(number.lower) && std::isfinite(number.upper) && number.lower < 0.0)
     return random.uniform(number.lower, number.upper);
   const double origin = has_origin ? *number.absent : 0.0;
   double sum = 0.0;
@@ -83,36 +83,14 @@ double drawn(const EffectKind& kind, std::size_t index, const actuator::RigScale
   return number.lower < origin ? origin - magnitude : origin + magnitude;
 }
 
-// A joint that bends both ways, slowly and quickly.
-constexpr const char* experiment_text = R"({"format": "experiment/1", "name": "calibration", "sampling_rate_Hz": 200,
-  "noise": {"angle_deg": 0.1}, "measure": ["theta1_deg"], "runs": [
-  {"file": "up.csv", "role": "fit", "duration_s": 1.5, "drive": "current",
-   "input": {"step": {"after_A": 0.5, "at_s": 0.1}}},
-  {"file": "down.csv", "role": "fit", "duration_s": 1.5, "drive": "current",
-   "input": {"step": {"after_A": -0.4, "at_s": 0.1}}},
-  {"file": "slow.csv", "role": "fit", "duration_s": 2, "drive": "current",
-   "input": {"sine": {"amplitude_A": 0.45, "frequency_Hz": 1}}},
-  {"file": "quick.csv", "role": "fit", "duration_s": 1.5, "drive": "current",
-   "input": {"sine": {"amplitude_A": 0.3, "frequency_Hz": 3}}}]})";
-constexpr const char* joint_text = R"({"format": "lumped-model/1", "gravity_m_s2": 9.81,
-  "links": [{"length_m": 0.04, "com_along_m": 0.02, "com_offset_m": 0.001, "mass_kg": 0.03, "inertia_kgm2": 4e-6}],
-  "joints": [{"stiffness_Nm_rad": 0.0125, "damping_Nms_rad": 1.29e-4}],
-  "magnetics": [{"angle_deg": [-120, -50, 0, 50, 120], "torque_Nmm_A": [7, 14, 17, 13, 6]}]})";
-
-replay::DeclaredModel declared_joint() {
-  return formats::parse_declared_actuator(
-             joint_text, "joint.json",
-             {.names = {},
-              .file = "calibration",
-              .tolerances = {.others_exact = true,
-                             .named = {{"/joints/0/stiffness_Nm_rad", 0.0006}, {"/joints/0/damping_Nms_rad", 1e-5}}}})
-      .model;
+actuator::Model nominal_model(const replay::DeclaredModel& declared) {
+  const fit::Hypothesis plain(declared, {});
+  return plain.model_at(plain.start());
 }
 
 std::vector<replay::PreparedRun> prepared(const std::vector<data::Run>& records,
                                           const replay::DeclaredModel& declared) {
-  const fit::Hypothesis plain(declared, {});
-  const actuator::Model nominal = plain.model_at(plain.start());
+  const actuator::Model nominal = nominal_model(declared);
   std::vector<replay::PreparedRun> runs;
   for (const data::Run& run : records) {
     runs.push_back(replay::prepare_run(run, declared, nominal));
@@ -121,25 +99,76 @@ std::vector<replay::PreparedRun> prepared(const std::vector<data::Run>& records,
   return runs;
 }
 
+// Joints that bend both ways, slowly and quickly.
+constexpr const char* experiment_text = R"({{"format": "experiment/1", "name": "calibration", "sampling_rate_Hz": 200,
+  "noise": {{"angle_deg": 0.1}}, "measure": [{}], "runs": [
+  {{"file": "up.csv", "role": "fit", "duration_s": 1.5, "drive": "current",
+   "input": {{"step": {{"after_A": 0.5, "at_s": 0.1}}}}}},
+  {{"file": "down.csv", "role": "fit", "duration_s": 1.5, "drive": "current",
+   "input": {{"step": {{"after_A": -0.4, "at_s": 0.1}}}}}},
+  {{"file": "slow.csv", "role": "fit", "duration_s": 2, "drive": "current",
+   "input": {{"sine": {{"amplitude_A": 0.45, "frequency_Hz": 1}}}}}},
+  {{"file": "quick.csv", "role": "fit", "duration_s": 1.5, "drive": "current",
+   "input": {{"sine": {{"amplitude_A": 0.3, "frequency_Hz": 3}}}}}}]}})";
+constexpr const char* model_text = R"({{"format": "lumped-model/1", "gravity_m_s2": 9.81, "links": [{}], "joints": [{}],
+  "magnetics": [{}]}})";
+constexpr const char* link_text =
+    R"({"length_m": 0.04, "com_along_m": 0.02, "com_offset_m": 0.001, "mass_kg": 0.03, "inertia_kgm2": 4e-6})";
+constexpr const char* joint_text = R"({"stiffness_Nm_rad": 0.0125, "damping_Nms_rad": 1.29e-4})";
+constexpr const char* pair_text = R"({"angle_deg": [-120, -50, 0, 50, 120], "torque_Nmm_A": [7, 14, 17, 13, 6]})";
+
+// A few like joints, of which the first one's stiffness and damping are known to a tolerance.
+struct Rig {
+  replay::DeclaredModel declared;
+  planning::Experiment experiment;
+  actuator::RigScale scale;
+};
+
+Rig rig_of(int joints) {
+  const auto each = [joints](const char* text) {
+    return fmt::format("{}", fmt::join(std::vector(static_cast<std::size_t>(joints), text), ", "));
+  };
+  Rig out{
+      .declared =
+          formats::parse_declared_actuator(
+              fmt::format(model_text, each(link_text), each(joint_text), each(pair_text)), "joints.json",
+              {.names = {},
+               .file = "calibration",
+               .tolerances = {.others_exact = true,
+                              .named = {{"/joints/0/stiffness_Nm_rad", 0.0006}, {"/joints/0/damping_Nms_rad", 1e-5}}}})
+              .model,
+      .experiment = formats::parse_experiment(
+          fmt::format(experiment_text, joints == 1 ? R"("theta1_deg")" : R"("theta1_deg", "theta2_deg")"),
+          "experiment.json"),
+      .scale = {}};
+  const std::vector<data::Run> as_declared = planning::simulate_experiment(out.experiment, out.declared, {}, 1);
+  out.scale = identification::rig_scale(prepared(as_declared, out.declared), nominal_model(out.declared));
+  return out;
+}
+
+bool can_have(const Rig& rig, const EffectKind& kind) {
+  return !kind.inapplicable(nominal_model(rig.declared).nominal_spec());
+}
+
 struct Truth {
   std::vector<double> declared{};  // stiffness, damping
   Effect effect{};
 };
 
-Truth drawn_truth(const EffectKind& kind, const replay::DeclaredModel& model, const actuator::RigScale& scale,
-                  Random& random) {
+Truth drawn_truth(const EffectKind& kind, const Rig& rig, Random& random) {
   Truth out{.declared = {}, .effect = {.kind = &kind, .values = {}}};
-  for (const replay::CalibrationParameter& number : model.calibration) {
+  for (const replay::CalibrationParameter& number : rig.declared.calibration) {
     double value = number.lower;
     while (!(value > number.lower && value < number.upper))
       value = number.declared + number.tolerance->deviation * heavy_tailed(random);
     out.declared.push_back(value);
   }
-  for (std::size_t i = 0; i < kind.parameters().size(); ++i) out.effect.values.push_back(drawn(kind, i, scale, random));
+  for (std::size_t i = 0; i < kind.parameters().size(); ++i)
+    out.effect.values.push_back(drawn(kind, i, rig.scale, random));
   return out;
 }
 
-// The first number that is fitted.
+// The first number that is fitted; one past the last where none is.
 std::size_t main_number(const EffectKind& kind) {
   const auto numbers = kind.parameters();
   return static_cast<std::size_t>(
@@ -151,7 +180,7 @@ std::size_t main_number(const EffectKind& kind) {
 double deviations_above(double truth, double mode, double deviation, const EffectParameter* number) {
   const bool has_origin = number != nullptr && number->absent && std::isfinite(*number->absent);
   const double origin = has_origin ? *number->absent : 0.0;
-  const bool is_magnitude = has_origin || (number != nullptr && !std::isfinite(number->upper - number->lower));
+  const bool is_magnitude = has_origin || (number != nullptr && number->lower >= 0.0);
   const double ratio = (truth - origin) / (mode - origin);
   if (!is_magnitude || !(ratio > 0.0)) return (truth - mode) / deviation;
   return std::log(ratio) * (mode - origin) / deviation;
@@ -164,18 +193,17 @@ struct Calibrated {
   std::vector<double> deviations{};  // stiffness, damping, the effect's number
 };
 
-Calibrated calibrated(const Truth& truth, const planning::Experiment& experiment, const replay::DeclaredModel& declared,
-                      const actuator::RigScale& scale, std::uint64_t seed) {
-  replay::DeclaredModel rig = declared;
-  for (std::size_t i = 0; i < rig.calibration.size(); ++i) rig.calibration[i].declared = truth.declared[i];
+Calibrated calibrated(const Truth& truth, const Rig& rig, std::uint64_t seed) {
+  replay::DeclaredModel true_rig = rig.declared;
+  for (std::size_t i = 0; i < true_rig.calibration.size(); ++i) true_rig.calibration[i].declared = truth.declared[i];
   std::vector<data::Run> records;
   try {
-    records = planning::simulate_experiment(experiment, rig, std::span(&truth.effect, 1), seed);
+    records = planning::simulate_experiment(rig.experiment, true_rig, std::span(&truth.effect, 1), seed);
   } catch (const std::exception&) {
     return {};
   }
-  const std::vector<replay::PreparedRun> runs = prepared(records, declared);
-  const fit::Hypothesis hypothesis(declared, {truth.effect});
+  const std::vector<replay::PreparedRun> runs = prepared(records, rig.declared);
+  const fit::Hypothesis hypothesis(rig.declared, {truth.effect});
   Eigen::VectorXd start = hypothesis.start();
   for (std::size_t i = 0; i < truth.declared.size(); ++i) start[static_cast<Eigen::Index>(i)] = truth.declared[i];
   const auto there = fit::evaluate_with_jacobian(
@@ -185,12 +213,12 @@ Calibrated calibrated(const Truth& truth, const planning::Experiment& experiment
   const EffectParameter& number = truth.effect.kind->parameters()[main];
   const Eigen::Index place = hypothesis.parameters_of(0).first;
   const double origin = number.absent && std::isfinite(*number.absent) ? *number.absent : 0.0;
-  const Eigen::MatrixXd covariance = identification::covariance(identification::score(runs, hypothesis, *there), 1.0);
-  const double precise = std::sqrt(covariance(place, place));
+  const double precise =
+      identification::standard_deviations(identification::score(runs, hypothesis, *there), 1.0)[place];
   if (!(std::abs(truth.effect.values[main] - origin) > least_deviations * precise)) return {.outcome = Outcome::unseen};
   const auto fitted = identification::fit_exactly(runs, {.hypothesis = hypothesis, .start = start});
   if (!fitted) return {};
-  const identification::WeighedFit posterior = identification::weighed(runs, *fitted, scale);
+  const identification::WeighedFit posterior = identification::weighed(runs, *fitted, rig.scale);
   Calibrated out{.outcome = Outcome::counted};
   for (Eigen::Index i = 0; i <= place; ++i) {
     if (i >= std::ssize(truth.declared) && i != place) continue;
@@ -242,24 +270,23 @@ int run(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   FLAGS_minloglevel = google::GLOG_FATAL;  // a rig that cannot be simulated is no news
 
-  const replay::DeclaredModel declared = declared_joint();
-  const planning::Experiment experiment = formats::parse_experiment(experiment_text, "experiment.json");
-  const std::vector<data::Run> as_declared = planning::simulate_experiment(experiment, declared, {}, seed);
-  const fit::Hypothesis plain(declared, {});
-  const actuator::RigScale scale =
-      identification::rig_scale(prepared(as_declared, declared), plain.model_at(plain.start()));
+  const std::array rigs = {rig_of(1), rig_of(2)};
   Ranked stiffness, damping;
   std::string lines, left_out;
   constexpr int most_tries = 10;  // of each draw
+  Random seeds(seed);
   for (const EffectKind* kind : actuator::standard_effects().kinds()) {
+    // Each effect has draws of its own: stiffness and damping are ranked over all of them.
+    Random random(seeds.seed());
     if (!only.empty() && std::ranges::find(only, kind->id()) == only.end()) continue;
-    Random random(seed);
+    const auto rig = std::ranges::find_if(rigs, [&](const Rig& each) { return can_have(each, *kind); });
+    if (rig == rigs.end() || main_number(*kind) == kind->parameters().size()) continue;
     Ranked ranked;
     std::map<Outcome, int> counts;
     for (int tried = 0; counts[Outcome::counted] < draws && tried < most_tries * draws; ++tried) {
       if (tried == 3 * most_tries && counts[Outcome::counted] == 0) break;
-      const Truth truth = drawn_truth(*kind, declared, scale, random);
-      const Calibrated found = calibrated(truth, experiment, declared, scale, random.seed());
+      const Truth truth = drawn_truth(*kind, *rig, random);
+      const Calibrated found = calibrated(truth, *rig, random.seed());
       ++counts[found.outcome];
       if (found.outcome != Outcome::counted) continue;
       stiffness.add(found.deviations[0]);
@@ -271,6 +298,7 @@ int run(int argc, char** argv) {
                             counts[Outcome::impossible]);
     fmt::print(stderr, "{}: {}\n", kind->id(), counts[Outcome::counted]);
   }
+  if (!stiffness.any()) throw std::invalid_argument("no draw counts; a larger --draws tries more often");
   fmt::print("{:24} draws  chi-sq.  p        in 95 %  mean  width  ranks in {} bins\n{}{}{}", "number", bins,
              stiffness.line("stiffness"), damping.line("damping"), lines);
   fmt::print(

@@ -1,6 +1,7 @@
 #include "measurement/identification/prior_of_numbers.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -41,9 +42,22 @@ double typical(const EffectKind& kind, std::size_t number, const actuator::RigSc
   return count == 0 ? 1.0 : std::exp(sum / count);
 }
 
-void add_log_normal(double magnitude, double about, PriorOfNumbers& out) {
+// Standard normal coordinate of a magnitude, >= 0.
+double log_coordinate(double magnitude, double about) {
+  return std::log(magnitude / about) / log_deviation;
+}
+
+// Probability that a magnitude lies between two bounds, of which the upper one may be infinite.
+double probability_between(double low, double high, double about) {
+  const boost::math::normal standard;
+  return boost::math::cdf(standard, log_coordinate(high, about)) -
+         boost::math::cdf(standard, log_coordinate(low, about));
+}
+
+// `possible`: the probability of all that its bounds allow.
+void add_log_normal(double magnitude, double about, double possible, PriorOfNumbers& out) {
   const double held = std::max(magnitude, least_magnitude * about);
-  out.log_density += normal_log_density(std::log(held / about) / log_deviation);
+  out.log_density += normal_log_density(log_coordinate(held, about)) - std::log(possible);
   out.slopes.push_back(held * log_deviation);
   out.precisions.push_back(1.0);
 }
@@ -51,20 +65,21 @@ void add_log_normal(double magnitude, double about, PriorOfNumbers& out) {
 void add_number(const Effect& effect, std::size_t index, const actuator::RigScale& scale, PriorOfNumbers& out) {
   const EffectParameter& number = effect.kind->parameters()[index];
   const double value = effect.values[index];
+  const double about = typical(*effect.kind, index, scale);
   if (number.deviation) {
     out.log_density += normal_log_density((value - number.absent.value_or(0.0)) / *number.deviation);
     out.slopes.push_back(*number.deviation);
     out.precisions.push_back(1.0);
   } else if (const std::optional<double> origin = origin_of(number)) {
-    if (number.lower < *origin && *origin < number.upper) out.log_density -= std::numbers::ln2;
-    add_log_normal(std::abs(value - *origin), typical(*effect.kind, index, scale), out);
-  } else if (std::isfinite(number.lower) && std::isfinite(number.upper)) {
+    const double possible = probability_between(0.0, number.upper - *origin, about) +
+                            probability_between(0.0, *origin - number.lower, about);
+    add_log_normal(std::abs(value - *origin), about, possible, out);
+  } else if (number.lower < 0.0) {
     // What Laplace's approximation makes of a uniform prior is right where the data know more.
-    const double width = number.upper - number.lower;
-    out.slopes.push_back(width);
+    out.slopes.push_back(number.upper - number.lower);
     out.precisions.push_back(12.0);
   } else {
-    add_log_normal(std::abs(value), typical(*effect.kind, index, scale), out);
+    add_log_normal(value, about, probability_between(number.lower, number.upper, about), out);
   }
 }
 

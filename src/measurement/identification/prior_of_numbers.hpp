@@ -12,8 +12,9 @@ namespace coilwright::measurement::identification {
 ///
 /// A magnitude (its distance from the value at which the effect is absent) is log-normal about the geometric mean of
 /// the catalogue's starts for this rig, with a standard deviation of a factor of 10; where either sign is physical,
-/// half of that on each side. A shape between two bounds is uniform, one above zero log-normal like a magnitude, a
-/// coefficient with a deviation of its own normal.
+/// half of that on each side. A shape that cannot be negative (a time constant, a frequency) is log-normal like a
+/// magnitude, an angle of either sign uniform between its bounds, a coefficient with a deviation of its own normal.
+/// What lies beyond a number's bounds has no density.
 struct PriorOfNumbers {
   double log_density{};  ///< of u, and of the choices that were made
   std::vector<double> slopes{};

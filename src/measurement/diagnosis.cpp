@@ -32,7 +32,7 @@
 #include "measurement/identification/staged_fit.hpp"
 #include "measurement/identification/unseen_effects.hpp"
 #include "measurement/localise/localisation.hpp"
-#include "measurement/planning/separating_experiment.hpp"
+#include "measurement/planning/informative_experiment.hpp"
 #include "measurement/records/record_slips.hpp"
 #include "measurement/records/suspect_records.hpp"
 #include "measurement/replay/recorded_noise.hpp"
@@ -254,7 +254,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   out.correction = nameless.outcome;
   timer.end_phase("nameless correction");
   say("what to record next");
-  out.next_experiment = planning::separating_experiment(runs, found);
+  out.next_experiment = planning::informative_experiment(runs, found);
   out.odds = std::move(found.posterior);
   // Both were fitted again after they had been weighed.
   for (identification::WeighedHypothesis& each : out.odds.hypotheses)

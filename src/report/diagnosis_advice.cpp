@@ -202,11 +202,10 @@ std::vector<std::string> next_steps(const formats::DiagnosisReport& report) {
     steps.push_back(measuring_step(diagnosis, measure));
   if (diagnosis.next_experiment) {
     const planning::NextExperiment& next = *diagnosis.next_experiment;
-    std::string step = fmt::format("Record this run ({}): {}: {}", next.kind, next.input, next.why);
-    if (std::isfinite(next.separation))
-      step += fmt::format("; the explanations that are left differ there by {} times the noise",
-                          number_text(next.separation));
-    steps.push_back(step + ".");
+    steps.push_back(
+        fmt::format("Record this run ({}): {}: {}; of {} bits that are open between the explanations it leaves {} on "
+                    "average, or less.",
+                    next.kind, next.input, next.why, number_text(next.open_bits), number_text(next.remaining_bits)));
   }
   if (structure && std::ranges::any_of(diagnosis.noise, is_colour_unknown))
     steps.emplace_back(

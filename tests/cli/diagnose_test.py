@@ -101,14 +101,11 @@ class Diagnose(ProgramTest):
         files = [each["file"] for each in proposed["runs"]]
         self.assertEqual(files[:3], ["slow.csv", "quick.csv", "next_still.csv"])
         self.assertGreater(len(files), 3)
-        # What is expected of the proposed run is what the separation was worked out from.
+        self.assertLess(found["next_experiment"]["remaining_bits"], 0.9 * found["next_experiment"]["open_bits"])
         expected = self.table("out/next_experiment.csv")
         self.assertEqual(list(expected[0])[:5], ["run", "channel", "time_s", "angle_deg", "noise"])
         self.assertEqual(set(list(expected[0])[5:]), {"base_tilt", "angle_offset"})
         self.assertIn(expected[0]["run"], files)
-        rms = (sum(((float(row["base_tilt"]) - float(row["angle_offset"])) / float(row["noise"])) ** 2 for row in expected)
-               / len(expected)) ** 0.5
-        self.assertAlmostEqual(rms, found["next_experiment"]["separation"], places=6)
         result = run("twin", "out/actuator.json", "--experiment", "out/next_experiment.json", "--out", "again",
                      cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))

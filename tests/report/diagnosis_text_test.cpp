@@ -14,8 +14,12 @@ using ::testing::Not;
 
 TEST(DiagnosisText, SaysInAMinuteWhatWasAssumedAndFoundAndHowSureThatIs) {
   Diagnosis diagnosis = example();
-  diagnosis.next_experiment = {
-      .kind = "hot_hold", .input = "1.05 A for 60 s", .why = "they part when hot", .separation = 8.5, .experiment = {}};
+  diagnosis.next_experiment = {.kind = "hot_hold",
+                               .input = "1.05 A for 60 s",
+                               .why = "they part when hot",
+                               .open_bits = 1.5,
+                               .remaining_bits = 0.25,
+                               .experiment = {}};
   diagnosis.nominal = {
       {.estimate = {.key = "force_curve", .value = -0.015}, .declared = 0.0, .tolerance = 0.03},
       {.estimate = {.key = "/measured/tip_segment_mass_g", .value = 0.0205, .lower = 0.02, .upper = 0.021},
@@ -92,7 +96,7 @@ How sure, and what else it could be
   of the noise.
 
 What to do next
-  Record this run (hot_hold): 1.05 A for 60 s: they part when hot; the explanations that are left differ there by 8.5 times the noise.
+  Record this run (hot_hold): 1.05 A for 60 s: they part when hot; of 1.5 bits that are open between the explanations it leaves 0.25 on average, or less.
   Once that is done, go on with actuator.json: evaluate and simulate take it.
 )");
 }

@@ -119,7 +119,8 @@ Json next_experiment_json(const DiagnosisReport& report) {
   return Json::object({{"kind", next.kind},
                        {"input", next.input},
                        {"why", next.why},
-                       {"separation", number_or_null(next.separation)},
+                       {"open_bits", next.open_bits},
+                       {"remaining_bits", next.remaining_bits},
                        {"file", text_or_null(report.next_experiment_file)}});
 }
 

@@ -185,8 +185,12 @@ TEST(DiagnosisJson, UsesTheQuantitysUnitWhereThereIsNoAngle) {
 
 TEST(DiagnosisJson, DescribesTheNextExperimentTheResidualAndTheNoise) {
   Diagnosis diagnosis = example();
-  diagnosis.next_experiment = {
-      .kind = "hot_hold", .input = "1.05 A for 60 s", .why = "they part when hot", .separation = 8.5, .experiment = {}};
+  diagnosis.next_experiment = {.kind = "hot_hold",
+                               .input = "1.05 A for 60 s",
+                               .why = "they part when hot",
+                               .open_bits = 1.5,
+                               .remaining_bits = 0.25,
+                               .experiment = {}};
   diagnosis.residual = localise::ResidualTorque{
       .rms = 0.2e-3,
       .noise_floor = 0.05e-3,
@@ -205,7 +209,7 @@ TEST(DiagnosisJson, DescribesTheNextExperimentTheResidualAndTheNoise) {
   diagnosis.warnings = {{.run = "a.csv", .text = "saturated"}, {.run = "", .text = "few runs"}};
   const auto json = json_of(diagnosis);
   EXPECT_EQ(json["next_experiment"], ordered_json::parse(R"({"kind": "hot_hold", "input": "1.05 A for 60 s",
-      "why": "they part when hot", "separation": 8.5, "file": null})"));
+      "why": "they part when hot", "open_bits": 1.5, "remaining_bits": 0.25, "file": null})"));
   EXPECT_EQ(json["residual"], ordered_json::parse(R"({"rms_Nmm": 0.2, "smallest_visible_Nmm": 0.05, "dependences": [
       {"variable": "rate", "explained": 0.5, "at_deg_s": [-90.0, 90.0], "residual_Nmm": [0.1, -0.1]},
       {"variable": "current history", "explained": 0.25, "at": [1.0], "residual_Nmm": [null]}],

@@ -19,12 +19,13 @@ struct ExpectedReading {
       values{};  ///< SI; of each of NextExperiment::explanations one value for each of `at`
 };
 
-/// A run that would separate hypotheses that the present data cannot separate.
+/// The run that is expected to leave least open which explanation is true, where the present data cannot tell.
 struct NextExperiment {
   std::string kind{};   ///< one of the candidate runs, "release", "hot_hold", ..., or "bench_torque"
   std::string input{};  ///< the command, with numbers
   std::string why{};
-  double separation{};  ///< rms difference of the hypotheses' predictions over the noise
+  double open_bits{};       ///< between the explanations, by their probabilities
+  double remaining_bits{};  ///< of these, at most, on average over what the run may show
   /// All that is to be recorded, with the camera, clocks and noise of the present records: the motions that an
   /// experiment can repeat, ten seconds at rest, and at the end the proposed run, twice: an effect is credited only if
   /// it helps in runs that were left out of the fit.

@@ -1,4 +1,4 @@
-#include "measurement/planning/separating_experiment.hpp"
+#include "measurement/planning/informative_experiment.hpp"
 
 #include <gmock/gmock.h>
 
@@ -50,10 +50,22 @@ struct Rig {
     return {.hypothesis = std::move(hypothesis), .fit = std::move(fit)};
   }
 
-  [[nodiscard]] std::optional<NextExperiment> between(const Effect& chosen, const std::vector<Effect>& rivals) const {
+  // Explanations of the same probability, whose numbers are known to a share of them.
+  [[nodiscard]] std::optional<NextExperiment> between(const Effect& chosen, const std::vector<Effect>& rivals,
+                                                      double known_to = 0.0) const {
     identification::Attribution found{.before = fitted({}), .after = fitted({chosen})};
-    for (const Effect& rival : rivals) found.rivals.push_back(fitted({rival}));
-    return separating_experiment(runs, found);
+    const auto add = [&](const identification::FittedHypothesis& each) {
+      const Eigen::VectorXd& values = each.fit.values;
+      found.posterior.hypotheses.push_back({.probability = 1.0 / (1.0 + static_cast<double>(rivals.size()))});
+      found.weighed.push_back({.values = values, .covariance = (known_to * values).cwiseAbs2().asDiagonal()});
+    };
+    add(found.after);
+    for (std::size_t i = 0; i < rivals.size(); ++i) {
+      found.rivals.push_back(fitted({rivals[i]}));
+      found.answer.rivals.push_back(i + 1);
+      add(found.rivals.back());
+    }
+    return informative_experiment(runs, found);
   }
 
   replay::DeclaredModel declared;
@@ -61,34 +73,34 @@ struct Rig {
   std::vector<replay::PreparedRun> runs;
 };
 
-TEST(SeparatingExperiment, IsNoneWithoutRivals) {
+TEST(InformativeExperiment, IsNoneWithoutRivals) {
   EXPECT_FALSE(Rig().between(effect("coil_heating", {0.1, 10.0, 0.0}), {}).has_value());
 }
 
-TEST(SeparatingExperiment, IsNoneIfRivalsPredictTheSame) {
+TEST(InformativeExperiment, IsNoneIfRivalsPredictTheSame) {
   EXPECT_FALSE(Rig().between(effect("force_gain", {1.0 + 1e-6}), {effect("force_gain", {1.0})}).has_value());
 }
 
-TEST(SeparatingExperiment, HoldsTheCoilsHotForTwoKindsOfHeat) {
+TEST(InformativeExperiment, HoldsTheCoilsHotForTwoKindsOfHeat) {
   const auto next =
       Rig().between(effect("coil_heating", {0.05, 5.0, 0.0}), {effect("magnet_heating", {0.05, 30.0, 0.0})});
   ASSERT_TRUE(next.has_value());
   EXPECT_EQ(next->kind, "hot_hold");
-  EXPECT_GT(next->separation, 0.5);
+  EXPECT_LT(next->remaining_bits, 0.5);
 }
 
-TEST(SeparatingExperiment, MovesTheFingerFarOrTurnsATorqueRoundIfGravityIsInDoubt) {
+TEST(InformativeExperiment, MovesTheFingerFarOrTurnsATorqueRoundIfGravityIsInDoubt) {
   // Joints that may close a little: walls would hold them where an experiment turns the torque round.
   const Rig rig(actuator::ContactChoice::hard_parts);
   const auto next = rig.between(effect("base_tilt", {3.0 * degree}), {effect("angle_offset", {-1.0 * degree})});
   ASSERT_TRUE(next.has_value());
   EXPECT_THAT(next->kind, AnyOf("turned_base", "reversed_step", "chirp"));
-  EXPECT_GT(next->separation, 0.5);
+  EXPECT_LT(next->remaining_bits, 0.5);
   EXPECT_FALSE(next->why.empty());
   EXPECT_FALSE(next->input.empty());
 }
 
-TEST(SeparatingExperiment, IsAnExperimentThatEndsWithTheProposedRunTwice) {
+TEST(InformativeExperiment, IsAnExperimentThatEndsWithTheProposedRunTwice) {
   const Rig rig(actuator::ContactChoice::hard_parts);
   const auto next = rig.between(effect("base_tilt", {3.0 * degree}), {effect("angle_offset", {-1.0 * degree})});
   ASSERT_TRUE(next.has_value());
@@ -104,9 +116,9 @@ TEST(SeparatingExperiment, IsAnExperimentThatEndsWithTheProposedRunTwice) {
   EXPECT_DOUBLE_EQ(next->experiment.instruments.angle.noise, 0.3 * degree);
 }
 
-TEST(SeparatingExperiment, TellsWhatEachExplanationExpectsOfTheProposedRun) {
+TEST(InformativeExperiment, TellsWhatEachExplanationExpectsOfTheProposedRun) {
   const Rig rig(actuator::ContactChoice::hard_parts);
-  const auto next = rig.between(effect("base_tilt", {3.0 * degree}), {effect("angle_offset", {-1.0 * degree})});
+  const auto next = rig.between(effect("base_tilt", {0.06 * degree}), {effect("angle_offset", {-0.02 * degree})});
   ASSERT_TRUE(next.has_value());
   EXPECT_EQ(next->explanations, (std::vector<std::vector<std::string>>{{"base_tilt"}, {"angle_offset"}}));
   ASSERT_EQ(next->expected.size(), 1u);
@@ -117,16 +129,17 @@ TEST(SeparatingExperiment, TellsWhatEachExplanationExpectsOfTheProposedRun) {
   ASSERT_EQ(angle.values.size(), 2u);
   ASSERT_EQ(angle.values[0].size(), angle.at.size());
   ASSERT_EQ(angle.values[1].size(), angle.at.size());
-  // What is told of each sample is what the separation was worked out from.
+  // What is told of each sample is what the bits were worked out from.
   double squares = 0.0;
   for (std::size_t i = 0; i < angle.at.size(); ++i)
     squares += std::pow((angle.values[0][i] - angle.values[1][i]) / angle.noise, 2);
-  EXPECT_NEAR(std::sqrt(squares / static_cast<double>(angle.at.size())), next->separation, 1e-9 * next->separation);
+  EXPECT_NEAR(next->remaining_bits, std::log2(1.0 + std::exp(-squares / 8.0)), 1e-9);
+  EXPECT_GT(next->remaining_bits, 0.1);
 }
 
-TEST(SeparatingExperiment, TellsWhatATorqueBenchWouldRead) {
+TEST(InformativeExperiment, TellsWhatATorqueBenchWouldRead) {
   // A camera so coarse that no motion tells as much as a bench does.
-  const Rig rig(actuator::ContactChoice::walls, 5.0 * degree);
+  const Rig rig(actuator::ContactChoice::walls, 20.0 * degree);
   const auto next = rig.between(effect("stiffness_hardening", {0.1}), {effect("force_gain", {0.9})});
   ASSERT_TRUE(next.has_value());
   ASSERT_EQ(next->kind, "bench_torque");
@@ -138,19 +151,28 @@ TEST(SeparatingExperiment, TellsWhatATorqueBenchWouldRead) {
   }
 }
 
-TEST(SeparatingExperiment, IsFastIfLagAndDelayAreInDoubt) {
+TEST(InformativeExperiment, IsFastIfLagAndDelayAreInDoubt) {
   const auto next = Rig().between(effect("coil_lag", {0.01}), {effect("measurement_delay", {0.01})});
   ASSERT_TRUE(next.has_value());
   EXPECT_THAT(next->kind, AnyOf("step", "fast_sine", "chirp", "release", "reversed_step"));
 }
 
-TEST(SeparatingExperiment, SeparatesEveryPairAndNotOnlyTheFirstTwo) {
-  const Rig rig;
-  const Effect lag = effect("coil_lag", {0.01});
-  const auto two = rig.between(lag, {effect("force_gain", {1.1})});
-  const auto three = rig.between(lag, {effect("force_gain", {1.1}), effect("force_gain", {1.1 + 1e-7})});
-  EXPECT_TRUE(two.has_value());
-  EXPECT_FALSE(three.has_value());
+// Three that are alike have log2 3 bits open; which of the two gains it is no run can tell.
+TEST(InformativeExperiment, TellsWhatCanBeToldWhereTwoExplanationsAreOne) {
+  const auto next =
+      Rig().between(effect("coil_lag", {0.01}), {effect("force_gain", {1.1}), effect("force_gain", {1.1 + 1e-7})});
+  ASSERT_TRUE(next.has_value());
+  EXPECT_NEAR(next->open_bits, std::log2(3.0), 1e-12);
+  EXPECT_NEAR(next->remaining_bits, 2.0 / 3.0, 2e-3);
+}
+
+// A gain that is off by half a per cent is plain where it is known, and can hardly be told where half a per cent is
+// what the records know it to: of two normal numbers one deviation apart 0.91 bits stay open.
+TEST(InformativeExperiment, CountsWhatNumbersLeaveOpen) {
+  const Effect one = effect("force_gain", {1.005});
+  const std::vector<Effect> other = {effect("force_gain", {1.0})};
+  EXPECT_LT(Rig().between(one, other)->remaining_bits, 0.1);
+  EXPECT_NEAR(Rig().between(one, other, 0.005)->remaining_bits, 0.91, 0.1);
 }
 
 }  // namespace

@@ -46,6 +46,19 @@ text::InputError damaged(const fs::path& path, const Damage& damage) {
                   cure));
 }
 
+// What keeps SQLite from reading a file is no damage of it.
+text::InputError refusal_of(const fs::path& path, const SQLite::Exception& error) {
+  switch (error.getErrorCode()) {
+    case SQLITE_BUSY:
+    case SQLITE_PROTOCOL:
+      return error_about(path, "is locked: wait for the end of the run that writes to it");
+    case SQLITE_IOERR:
+      return error_about(path, std::string("cannot be read: ") + error.what());
+    default:
+      return error_about(path, fmt::format("is no archive of a study, or a torn one: {}; {}", error.what(), cure));
+  }
+}
+
 // Before anything is asked of a file that may be anything.
 void require_archive(const fs::path& path, SQLite::Database& database) {
   std::int32_t application = 0;
@@ -64,9 +77,7 @@ void require_archive(const fs::path& path, SQLite::Database& database) {
       throw error_about(path,
                         "is of a run that was killed or is under way, and needs some room on its disk to be read: "
                         "the disk is full");
-    if (error.getErrorCode() == SQLITE_BUSY)
-      throw error_about(path, "is locked: wait for the end of the run that writes to it");
-    throw error_about(path, fmt::format("is no archive of a study, or a torn one: {}; {}", error.what(), cure));
+    throw refusal_of(path, error);
   }
   if (application != application_id)
     throw error_about(path, fmt::format("is no archive of a study: another program wrote it, or it is torn; {}", cure));
@@ -97,7 +108,7 @@ void require_our_tables_only(const fs::path& path, SQLite::Database& database) {
                               table_names));
     if (others.executeStep()) other = others.getColumn(0).getString();
   } catch (const SQLite::Exception& error) {
-    throw damaged(path, {.text = error.what()});
+    throw refusal_of(path, error);
   }
   if (other)
     throw error_about(path,
@@ -140,6 +151,7 @@ SQLite::Database open(const fs::path& path, int flags, std::chrono::milliseconds
     return SQLite::Database(path.string(), flags | SQLite::OPEN_NOMUTEX, static_cast<int>(patience.count()));
   });
   distrust(database);
+  reading(path, [&] { require_locks(database); });
   require_archive(path, database);
   require_our_tables_only(path, database);
   register_checksum(database);
@@ -168,12 +180,20 @@ int version_of(const SQLite::Database& database) {
   return version.executeStep() ? version.getColumn(0).getInt() : 0;
 }
 
+void require_locks(const SQLite::Database& database) {
+  sqlite3_file* file = nullptr;
+  int is_held = 0;
+  sqlite3_file_control(database.getHandle(), "main", SQLITE_FCNTL_FILE_POINTER, &file);
+  if (file->pMethods->xCheckReservedLock(file, &is_held) != SQLITE_OK)
+    throw SQLite::Exception("its file system refuses locks", SQLITE_IOERR);
+}
+
 void require_whole(const fs::path& path, SQLite::Database& database, std::span<const SealedTable> tables) {
   std::optional<Damage> damage;
   try {
     damage = damage_in(database, tables, version_of(database));
   } catch (const SQLite::Exception& error) {
-    damage = Damage{.text = error.what()};
+    throw refusal_of(path, error);
   }
   if (damage) throw damaged(path, *damage);
 }
@@ -184,7 +204,7 @@ void require_whole(const fs::path& path, SQLite::Database& database) {
     const int version = version_of(database);
     if (version >= first_version_with_checksums) tables = sealed_tables(read_columns(database), version);
   } catch (const SQLite::Exception& error) {
-    throw damaged(path, {.text = error.what()});
+    throw refusal_of(path, error);
   }
   require_whole(path, database, tables);
 }
@@ -198,7 +218,7 @@ SQLite::Database open_to_read(const fs::path& path) {
 
 SQLite::Database open_to_write(const fs::path& path, std::chrono::milliseconds patience) {
   SQLite::Database database = open(path, SQLite::OPEN_READWRITE, patience);
-  if (version_of(database) < first_version_with_checksums)
+  if (reading(path, [&] { return version_of(database); }) < first_version_with_checksums)
     throw error_about(path, "was written by an earlier coilwright, without checksums: nothing is added to it");
   writing(path, text::OutputError::Stage::preparing, [&] {
     database.exec("PRAGMA journal_mode = WAL");

@@ -34,6 +34,10 @@ inline constexpr std::chrono::milliseconds usual_patience{10'000};
 /// The version of its tables.
 [[nodiscard]] int version_of(const SQLite::Database& database);
 
+/// Throws SQLite::Exception where the file system refuses locks: SQLite takes that for a lock that another holds, and
+/// asks again for 10 s.
+void require_locks(const SQLite::Database& database);
+
 /// Throws InputError where the tree of the file is torn, or a row of these tables is not what was written.
 void require_whole(const std::filesystem::path& path, SQLite::Database& database, std::span<const SealedTable> tables);
 

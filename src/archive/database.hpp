@@ -47,14 +47,16 @@ void require_whole(const std::filesystem::path& path, SQLite::Database& database
 /// Gives an archive of version 2 the tables of this one, with the rows that it has counted. Throws SQLite::Exception.
 void bring_up_to_date(SQLite::Database& database, const std::vector<Column>& columns);
 
+/// What SQLite says of an archive: a torn one, or what keeps it from being read just now, with the cure.
+[[nodiscard]] text::InputError refusal_of(const std::filesystem::path& path, const SQLite::Exception& error);
+
 /// What SQLite refuses, as an InputError about the archive.
 template <class Task>
 auto reading(const std::filesystem::path& path, Task&& task) {
   try {
     return std::forward<Task>(task)();
   } catch (const SQLite::Exception& error) {
-    throw text::InputError(
-        {.file = path.string(), .place = {}, .rule = std::string("cannot be read: ") + error.what(), .value = {}});
+    throw refusal_of(path, error);
   }
 }
 

@@ -180,7 +180,7 @@ void require_locks(const SQLite::Database& database) {
   int is_held = 0;
   sqlite3_file_control(database.getHandle(), "main", SQLITE_FCNTL_FILE_POINTER, &file);
   if (file->pMethods->xCheckReservedLock(file, &is_held) != SQLITE_OK)
-    throw SQLite::Exception("its file system refuses locks", SQLITE_IOERR);
+    throw SQLite::Exception("its file system refuses locks: take a folder on another disk", SQLITE_IOERR);
 }
 
 void require_whole(const fs::path& path, SQLite::Database& database, std::span<const SealedTable> tables) {

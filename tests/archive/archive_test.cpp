@@ -254,11 +254,11 @@ TEST_F(Archive, WaitsForNoLockOfAFileSystemThatRefusesThem) {
   const sqlite3_syscall_ptr fcntl = system->xGetSystemCall(system, "fcntl");
   system->xSetSystemCall(system, "fcntl", reinterpret_cast<sqlite3_syscall_ptr>(&refuse_lock));
   const auto begin = std::chrono::steady_clock::now();
-  const std::string refusal = ": cannot be written: its file system refuses locks";
+  const std::string refusal = ": cannot be written: its file system refuses locks: take a folder on another disk";
   const std::filesystem::path other = folder_.path() / "other.sqlite";
   EXPECT_THAT([&] { create(other, contents()); },
               ::testing::ThrowsMessage<text::OutputError>(other.string() + refusal));
-  EXPECT_EQ(this->refusal(), "cannot be read: its file system refuses locks");
+  EXPECT_EQ(this->refusal(), "cannot be read: its file system refuses locks: take a folder on another disk");
   writer.add(design(1, 60, 1));
   writer.flush();
   EXPECT_EQ(writer.failure(), path_.string() + refusal + "; designs that are not recorded: 1");

@@ -4,7 +4,6 @@
 #include <sqlite3.h>
 
 #include <array>
-#include <cerrno>
 #include <chrono>
 #include <fstream>
 #include <optional>
@@ -48,26 +47,10 @@ text::InputError damaged(const fs::path& path, const Damage& damage) {
 
 // Before anything is asked of a file that may be anything.
 void require_archive(const fs::path& path, SQLite::Database& database) {
-  std::int32_t application = 0;
-  int version = 0;
-  try {
-    application = database.execAndGet("PRAGMA application_id").getInt();
-    version = version_of(database);
-  } catch (const SQLite::Exception& error) {
-    // No file of another kind has a journal that SQLite takes for its own.
-    if (error.getErrorCode() == SQLITE_READONLY)
-      throw error_about(path,
-                        fmt::format("was left half-changed by a run that was killed, and is put right only where it "
-                                    "may be written: copy it there with {}",
-                                    journal_of(path).filename().string()));
-    if (sqlite3_system_errno(database.getHandle()) == ENOSPC)
-      throw error_about(path,
-                        "is of a run that was killed or is under way, and needs some room on its disk to be read: "
-                        "the disk is full");
-    if (error.getErrorCode() == SQLITE_BUSY)
-      throw error_about(path, "is locked: wait for the end of the run that writes to it");
-    throw error_about(path, fmt::format("is no archive of a study, or a torn one: {}; {}", error.what(), cure));
-  }
+  const auto [application, version] = reading(path, [&] {
+    require_locks(database);
+    return std::pair(database.execAndGet("PRAGMA application_id").getInt(), version_of(database));
+  });
   if (application != application_id)
     throw error_about(path, fmt::format("is no archive of a study: another program wrote it, or it is torn; {}", cure));
   if (version > schema_version)
@@ -89,16 +72,13 @@ void distrust(SQLite::Database& database) {
 
 // A view may hold a query without an end, a trigger whatever SQL there is.
 void require_our_tables_only(const fs::path& path, SQLite::Database& database) {
-  std::optional<std::string> other;
-  try {
+  const auto other = reading(path, [&]() -> std::optional<std::string> {
     SQLite::Statement others(
         database, fmt::format("SELECT type || ' ' || name FROM sqlite_schema WHERE type <> 'table' OR name NOT IN ({}) "
                               "OR sql NOT LIKE 'CREATE TABLE %'",
                               table_names));
-    if (others.executeStep()) other = others.getColumn(0).getString();
-  } catch (const SQLite::Exception& error) {
-    throw damaged(path, {.text = error.what()});
-  }
+    return others.executeStep() ? std::optional(others.getColumn(0).getString()) : std::nullopt;
+  });
   if (other)
     throw error_about(path,
                       fmt::format("is no archive of a study: it must have no more than the tables that coilwright "
@@ -148,6 +128,33 @@ SQLite::Database open(const fs::path& path, int flags, std::chrono::milliseconds
 
 }  // namespace
 
+text::InputError refusal_of(const fs::path& path, const SQLite::Exception& error) {
+  const std::string what = error.what();
+  switch (error.getErrorCode()) {
+    case SQLITE_BUSY:
+    case SQLITE_PROTOCOL:
+      return error_about(path, "is locked: wait for the end of the run that writes to it");
+    case SQLITE_READONLY:  // no file of another kind has a journal that SQLite takes for its own
+      return error_about(path,
+                         fmt::format("was left half-changed by a run that was killed, and is put right only where it "
+                                     "may be written: copy it there with {}",
+                                     journal_of(path).filename().string()));
+    case SQLITE_IOERR:
+      if (error.getExtendedErrorCode() == SQLITE_IOERR_SHMSIZE)
+        return error_about(path,
+                           "is of a run that was killed or is under way, and needs some room on its disk to be read: "
+                           "the disk is full");
+      [[fallthrough]];
+    case SQLITE_CANTOPEN:
+    case SQLITE_PERM:
+    case SQLITE_FULL:
+    case SQLITE_NOMEM:
+      return error_about(path, "cannot be read: " + what);
+    default:
+      return error_about(path, fmt::format("is no archive of a study, or a torn one: {}; {}", what, cure));
+  }
+}
+
 std::vector<fs::path> logs_of(const fs::path& archive) {
   std::error_code error;
   const bool is_there = fs::exists(fs::symlink_status(archive, error));
@@ -168,24 +175,25 @@ int version_of(const SQLite::Database& database) {
   return version.executeStep() ? version.getColumn(0).getInt() : 0;
 }
 
+void require_locks(const SQLite::Database& database) {
+  sqlite3_file* file = nullptr;
+  int is_held = 0;
+  sqlite3_file_control(database.getHandle(), "main", SQLITE_FCNTL_FILE_POINTER, &file);
+  if (file->pMethods->xCheckReservedLock(file, &is_held) != SQLITE_OK)
+    throw SQLite::Exception("its file system refuses locks: take a folder on another disk", SQLITE_IOERR);
+}
+
 void require_whole(const fs::path& path, SQLite::Database& database, std::span<const SealedTable> tables) {
-  std::optional<Damage> damage;
-  try {
-    damage = damage_in(database, tables, version_of(database));
-  } catch (const SQLite::Exception& error) {
-    damage = Damage{.text = error.what()};
-  }
+  const auto damage = reading(path, [&] { return damage_in(database, tables, version_of(database)); });
   if (damage) throw damaged(path, *damage);
 }
 
 void require_whole(const fs::path& path, SQLite::Database& database) {
-  std::vector<SealedTable> tables;
-  try {
+  const auto tables = reading(path, [&] {
     const int version = version_of(database);
-    if (version >= first_version_with_checksums) tables = sealed_tables(read_columns(database), version);
-  } catch (const SQLite::Exception& error) {
-    throw damaged(path, {.text = error.what()});
-  }
+    return version >= first_version_with_checksums ? sealed_tables(read_columns(database), version)
+                                                   : std::vector<SealedTable>();
+  });
   require_whole(path, database, tables);
 }
 
@@ -198,7 +206,7 @@ SQLite::Database open_to_read(const fs::path& path) {
 
 SQLite::Database open_to_write(const fs::path& path, std::chrono::milliseconds patience) {
   SQLite::Database database = open(path, SQLite::OPEN_READWRITE, patience);
-  if (version_of(database) < first_version_with_checksums)
+  if (reading(path, [&] { return version_of(database); }) < first_version_with_checksums)
     throw error_about(path, "was written by an earlier coilwright, without checksums: nothing is added to it");
   writing(path, text::OutputError::Stage::preparing, [&] {
     database.exec("PRAGMA journal_mode = WAL");

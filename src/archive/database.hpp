@@ -34,6 +34,10 @@ inline constexpr std::chrono::milliseconds usual_patience{10'000};
 /// The version of its tables.
 [[nodiscard]] int version_of(const SQLite::Database& database);
 
+/// Throws SQLite::Exception where the file system refuses locks: SQLite takes that for a lock that another holds, and
+/// asks again for 10 s.
+void require_locks(const SQLite::Database& database);
+
 /// Throws InputError where the tree of the file is torn, or a row of these tables is not what was written.
 void require_whole(const std::filesystem::path& path, SQLite::Database& database, std::span<const SealedTable> tables);
 
@@ -43,14 +47,16 @@ void require_whole(const std::filesystem::path& path, SQLite::Database& database
 /// Gives an archive of version 2 the tables of this one, with the rows that it has counted. Throws SQLite::Exception.
 void bring_up_to_date(SQLite::Database& database, const std::vector<Column>& columns);
 
+/// What SQLite says of an archive: a torn one, or what keeps it from being read just now, with the cure.
+[[nodiscard]] text::InputError refusal_of(const std::filesystem::path& path, const SQLite::Exception& error);
+
 /// What SQLite refuses, as an InputError about the archive.
 template <class Task>
 auto reading(const std::filesystem::path& path, Task&& task) {
   try {
     return std::forward<Task>(task)();
   } catch (const SQLite::Exception& error) {
-    throw text::InputError(
-        {.file = path.string(), .place = {}, .rule = std::string("cannot be read: ") + error.what(), .value = {}});
+    throw refusal_of(path, error);
   }
 }
 

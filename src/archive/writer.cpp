@@ -98,6 +98,7 @@ void create(const fs::path& path, const Contents& contents) {
   try {
     writing(path, preparing, [&] {
       SQLite::Database database(part.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+      require_locks(database);
       register_checksum(database);
       write_contents(database, contents);
     });
@@ -320,6 +321,7 @@ class Writer::Thread {
   }
 
   void insert(std::span<const Row> rows) {
+    require_locks(database_);
     SQLite::Transaction transaction(database_);
     std::map<Designs, std::int64_t> more;
     for (const Row& row : rows) {
@@ -347,6 +349,7 @@ class Writer::Thread {
   void attempt(const Task& task) {
     if (failure()) return;
     try {
+      require_locks(database_);
       task();
     } catch (const SQLite::Exception& error) {
       const std::scoped_lock lock(guard_);

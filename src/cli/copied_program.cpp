@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <string_view>
+#include <system_error>
 
+#include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_file.hpp"
 
 namespace coilwright::cli {
@@ -35,18 +38,23 @@ std::vector<fs::path> loaded_libraries() {
 
 }  // namespace
 
+void copy_whole(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::create_directories(to.parent_path(), error);
+  std::ifstream source(from, std::ios::binary);
+  if (!source) throw text::InputError({.file = from.string(), .rule = "cannot be opened"});
+  text::OutputFile copy(to);
+  copy.stream() << source.rdbuf();
+  copy.commit();
+  fs::permissions(to, fs::status(from).permissions(), error);
+}
+
 std::vector<std::string> copy_program(const fs::path& folder) {
   std::vector<std::string> names{"coilwright"};
-  const auto copy = [&](const fs::path& from, const std::string& name) {
-    std::error_code error;
-    fs::create_directories((folder / name).parent_path(), error);
-    fs::copy_file(from, folder / name, fs::copy_options::overwrite_existing, error);
-    if (error) throw text::OutputError(folder / name, error.message(), text::OutputError::Stage::preparing);
-  };
-  copy("/proc/self/exe", names.front());
+  copy_whole("/proc/self/exe", folder / names.front());
   for (const fs::path& library : loaded_libraries()) {
     names.push_back("lib/" + library.filename().string());
-    copy(library, names.back());
+    copy_whole(library, folder / names.back());
   }
   return names;
 }

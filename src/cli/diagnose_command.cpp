@@ -128,14 +128,15 @@ void write(const DiagnoseOptions& options, const results::AskedDiagnosis& asked,
 
 // What is known is written, and the work, which knows nothing of signals and limits, ends with the program.
 [[noreturn]] void end_interrupted(const DiagnoseOptions& options, const results::AskedDiagnosis& asked,
-                                  const std::optional<Diagnosis>& known, std::string_view why) {
+                                  const std::optional<Diagnosis>& known, const FitRecord& record,
+                                  std::string_view why) {
   ExitCode code = ExitCode::interrupted;
   try {
     if (known) write(options, asked, *known);
     std::cerr << "coilwright: " << why << ": "
               << (known ? fmt::format("{} has what is known so far, marked as incomplete", options.out)
-                        : std::string("nothing is written"))
-              << "; --resume goes on from there\n";
+                        : std::string("nothing is known yet"))
+              << (record.known_fits ? "; --resume goes on from the fits that had ended\n" : "\n");
   } catch (const std::exception& reason) {
     std::cerr << "coilwright: " << reason.what() << '\n';
     code = ExitCode::failure;
@@ -175,7 +176,7 @@ void run_diagnose(const DiagnoseOptions& options) {
       std::async(std::launch::async, [&, fits = record.known_fits] { return diagnose(options, asked, known, fits); });
   const auto end = [&](std::string_view why) {
     record.unlock();
-    end_interrupted(options, asked, known.get(), why);
+    end_interrupted(options, asked, known.get(), record, why);
   };
   constexpr std::chrono::milliseconds soon{50};
   using Minutes = std::chrono::duration<double, std::ratio<60>>;

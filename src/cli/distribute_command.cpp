@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "coilwright/exports/workflow.hpp"
@@ -156,13 +157,7 @@ class CopiedInputs {
   }
 
   void copy_to(const fs::path& folder) const {
-    for (const auto& [place, from] : files_) {
-      const fs::path target = folder / name_of(place);
-      std::error_code error;
-      fs::create_directories(target.parent_path(), error);
-      fs::copy_file(from, target, fs::copy_options::overwrite_existing, error);
-      if (error) throw text::OutputError(target, error.message(), text::OutputError::Stage::preparing);
-    }
+    for (const auto& [place, from] : files_) copy_whole(from, folder / name_of(place));
   }
 
  private:
@@ -312,6 +307,11 @@ void run_distribute(const DistributeOptions& options, const CLI::App& app) {
   const CopiedInputs inputs(distribution.files, distribution.subjects);
   exports::Workflow workflow = workflow_of(options, distribution, inputs);
   text::OutputFolder folder(options.out);
+  folder.lock();
+  // No earlier workflow may run what is replaced now; of what stays, commit() tells.
+  std::error_code stays;
+  for (const exports::WorkflowFile& file : exports::workflow_files(workflow))
+    fs::remove(folder.path() / file.name, stays);
   inputs.copy_to(options.out);
   for (const std::string& name : copy_program(options.out))
     if (name != workflow.program) workflow.inputs.push_back(name);

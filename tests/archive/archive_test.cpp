@@ -4,6 +4,7 @@
 #include <sqlite3.h>
 
 #include <bit>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -238,6 +239,33 @@ TEST_F(Archive, WritesWhatWaitedForALockAndSaysSoTwice) {
   ASSERT_EQ(reader.size(), 3U);
   reader.each({}, [](const Row& row) { EXPECT_EQ(row.variables.front(), Value(static_cast<double>(row.id))); });
   EXPECT_EQ(reader.runs().at(0).ended, "");
+}
+
+int refuse_lock(int /*file*/, int /*command*/, ...) {
+  errno = ENOLCK;
+  return -1;
+}
+
+// SQLite takes such a lock for one that another holds, and asks for it again and again.
+TEST_F(Archive, WaitsForNoLockOfAFileSystemThatRefusesThem) {
+  create(path_, contents());
+  Writer writer(path_, 60, {});
+  sqlite3_vfs* system = sqlite3_vfs_find(nullptr);
+  const sqlite3_syscall_ptr fcntl = system->xGetSystemCall(system, "fcntl");
+  system->xSetSystemCall(system, "fcntl", reinterpret_cast<sqlite3_syscall_ptr>(&refuse_lock));
+  const auto begin = std::chrono::steady_clock::now();
+  const std::string refusal = ": cannot be written: its file system refuses locks: take a folder on another disk";
+  const std::filesystem::path other = folder_.path() / "other.sqlite";
+  EXPECT_THAT([&] { create(other, contents()); },
+              ::testing::ThrowsMessage<text::OutputError>(other.string() + refusal));
+  EXPECT_EQ(this->refusal(), "cannot be read: its file system refuses locks: take a folder on another disk");
+  writer.add(design(1, 60, 1));
+  writer.flush();
+  EXPECT_EQ(writer.failure(), path_.string() + refusal + "; designs that are not recorded: 1");
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));  // of SQLite's patience of 10 s each
+  system->xSetSystemCall(system, "fcntl", fcntl);
+  while (writer.failure()) std::this_thread::sleep_for(std::chrono::milliseconds(10));  // of itself
+  EXPECT_EQ(Reader(path_).size(), 1U);
 }
 
 TEST_F(Archive, IsOneFileWhenItsWriterIsGone) {

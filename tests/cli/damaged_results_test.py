@@ -20,7 +20,7 @@ from program import DATA, PROGRAM, ProgramTest, run
 from study import FRONT, GRID, write_study
 from writing_commands import QUICK_PLAN
 
-# Of each kind of folder and of input; COILWRIGHT_MUTATIONS=770 makes ten thousand.
+# Of each kind of folder and of input; COILWRIGHT_MUTATIONS=790 makes ten thousand.
 MUTATIONS = int(os.environ.get("COILWRIGHT_MUTATIONS", "30"))
 VALUES = [None, True, "", "x", "1", -1, 0, 1e300, 2**60, [], {}, [None], {"a": 1}, ["x"]]
 FIELDS = ["", "x", "nan", "-1", "1e999", "0", "1e300", "ok", "failed", "\"a\"\"b\""]

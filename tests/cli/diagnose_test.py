@@ -353,7 +353,8 @@ class Diagnose(ProgramTest):
             self.assertLess(time.monotonic() - started, 5)
             summary = process.stdout.read().decode()
             self.assertEqual(process.stderr.read().splitlines()[-1],
-                             b"coilwright: interrupted: out has what is known so far, marked as incomplete; --resume goes on from there")
+                             b"coilwright: interrupted: out has what is known so far, marked as incomplete; --resume goes on from the "
+                             b"fits that had ended")
         self.assertEqual({path.name for path in (self.folder / "out").iterdir() if not path.name.startswith("archive.sqlite")},
                          {"diagnosis.json", "actuator.json", "summary.txt", "provenance.json"})
         self.assertEqual(summary, (self.folder / "out" / "summary.txt").read_text())
@@ -365,6 +366,11 @@ class Diagnose(ProgramTest):
         self.assertEqual(page.returncode, 2)
         self.assertIn("out/diagnosis.json: /verdict: is of a diagnosis that was interrupted: summary.txt has what was "
                       "known then", page.stderr)
+        early = run("diagnose", "set", "--out", "early", "--minutes", "1e-6", cwd=self.folder)
+        self.assertEqual((early.returncode, early.stdout), (130, ""))
+        self.assertEqual(early.stderr.splitlines()[-1], "coilwright: stopped after 1e-06 minutes: nothing is known yet; --resume goes "
+                                                        "on from the fits that had ended")
+        self.assertEqual({path.name.split("-")[0] for path in (self.folder / "early").iterdir()}, {"archive.sqlite"})
 
 
 if __name__ == "__main__":

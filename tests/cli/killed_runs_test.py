@@ -52,7 +52,7 @@ class KilledRuns(ProgramTest):
 
     def run_whole(self, command):
         begin = time.monotonic()
-        result = run(command, "study.json", "--out", "whole", "--force", cwd=self.folder)
+        result = run(command, "study.json", "--out", "whole", "--force", "--quiet", cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         whole = self.folder / "whole"
         return time.monotonic() - begin, result.stdout, results_of(whole), len(designs_of(whole))
@@ -74,7 +74,7 @@ class KilledRuns(ProgramTest):
         for _ in range(KILLS_OF_A_RUN):
             if self.kills == KILLS:
                 break
-            process = start(command, "study.json", "--out", "killed", "--resume", cwd=self.folder)
+            process = start(command, "study.json", "--out", "killed", "--resume", "--quiet", cwd=self.folder)
             is_at_any_moment = self.wait(process, folder, duration, len(recorded), designs)
             killed = time.time()
             process.kill()
@@ -91,7 +91,7 @@ class KilledRuns(ProgramTest):
                 self.lost.append(killed - max(design[ENDED] for design in now))
             recorded = now
             self.kills_with_designs += len(recorded) > 0
-        result = run(command, "study.json", "--out", "killed", "--resume", cwd=self.folder)
+        result = run(command, "study.json", "--out", "killed", "--resume", "--quiet", cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertEqual(result.stdout, answer)
         resumed = results_of(folder)

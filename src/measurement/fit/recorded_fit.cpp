@@ -137,7 +137,7 @@ std::optional<Optimum> recorded_or(const FitRequest& request, ResidualBlocks& bl
     Optimum out = blank(request, blocks.blocks());
     const char* from = found->data();
     each_list(out, blocks.local_numbers(), [&](std::span<double> list) {
-      std::memcpy(list.data(), from, list.size_bytes());
+      if (!list.empty()) std::memcpy(list.data(), from, list.size_bytes());  // of none, its data may be null
       from += list.size_bytes();
     });
     return out;

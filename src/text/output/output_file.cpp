@@ -90,7 +90,8 @@ class OutputFile::Sink : private std::streambuf {
   Sink(fs::path target, int file) : target_(std::move(target)), file_(file), stream_(this) {
     if (file_ < 0) refuse(OutputError::Stage::preparing);
     setp(buffer_.data(), buffer_.data() + buffer_.size());
-    stream_.exceptions(std::ios::badbit);  // rethrows what is thrown below
+    // Rethrows what is thrown below: of a stream that is inserted as a whole only with failbit.
+    stream_.exceptions(std::ios::badbit | std::ios::failbit);
   }
   ~Sink() override { ::close(file_); }
 

@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
@@ -168,6 +169,16 @@ TEST(OutputFile, KeepsTheOldFileWhenTheDiskIsFull) {
   }
   EXPECT_EQ(content(path), "before");
   EXPECT_THAT(names_in(folder.path()), ElementsAre("x.csv"));
+}
+
+// A stream takes what its buffer throws meanwhile for a source that has ended.
+TEST(OutputFile, TellsOfAFullDiskWhereAFileIsCopiedIntoItAsAWhole) {
+  const TemporaryFolder folder;
+  std::ifstream source(folder.file("long.csv", std::string(200'000, 'x')));
+  OutputFile file(folder.path() / "copy.csv");
+  const FileSizeLimit limit(10'000);
+  EXPECT_THAT([&] { file.stream() << source.rdbuf(); },
+              ThrowsMessage<OutputError>(file.path().string() + ": cannot be written: File too large"));
 }
 
 TEST(OutputFolder, ShowsItsFilesTogetherOnCommitAndKeepsOthers) {

@@ -81,8 +81,24 @@ def own_objective(budget: int, milliseconds: float) -> None:
           f"itself", flush=True)
 
 
+def effect_of_python() -> None:
+    """The same drag, ours and as a function of Python, in the same simulation."""
+    own = cw.Effect("own_drag", stage="hinge", description="air", equation="q_j -= c |theta_j'| theta_j'", source="ours",
+                    numbers=[cw.Number("drag_Nmms2_rad2", "c", lower=0.0, upper=1.0, absent=0.0)], starts=[[0.01]],
+                    torques=lambda numbers, angles, rates, currents: -numbers[0] * np.abs(rates) * rates)
+
+    def seconds(id: str) -> float:
+        effects = [{"id": id, "parameters": {"drag_Nmms2_rad2": 0.0116}}]
+        finger = cw.Actuator.from_dict({**cw.Actuator.load(FINGER).to_dict(), "effects": effects}, effects=[own])
+        return here(lambda: [cw.simulate(finger, step=1.4) for _ in range(20)]) / 20
+    ratios = [seconds("own_drag") / seconds("quadratic_drag") for _ in range(ROUNDS)]
+    print(f"simulate 1 s with an effect of Python: {1e3 * seconds('own_drag'):.1f} ms, {np.median(ratios):.0f} times the same "
+          f"effect of ours ({min(ratios):.0f} to {max(ratios):.0f})", flush=True)
+
+
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as work:
         forces(1_000_000 if "--short" not in sys.argv else 20_000, pathlib.Path(work))
     evaluations(400 if "--short" not in sys.argv else 50)
+    effect_of_python()
     own_objective(2000, 10.0)

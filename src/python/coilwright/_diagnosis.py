@@ -184,7 +184,7 @@ def diagnose(records: Union[Records, Path], actuator: Union[Actuator, Path, None
     records: in memory, or the folder of a data set. actuator: the declared one; without it the one that the folder
     names. seed: of the additional starts of fits. threads: fits at once; 0: one a core; the answer does not depend on
     it. as_written: fit records also where another unit or sign makes far more of them. effects: written in Python,
-    compared with those of Coilwright. progress: called with a line at a time. It takes seconds to minutes; Ctrl-C ends
+    compared with those of Coilwright; Records.of(.., effect_probabilities={id: 0.2}) says how probable one is beforehand. progress: called with a line at a time. It takes seconds to minutes; Ctrl-C ends
     it with KeyboardInterrupt at the next line of progress. Raises InputError for records that cannot be used.
 
     >>> import coilwright as cw
@@ -253,11 +253,11 @@ def plan(experiment: Union[Mapping[str, Any], Path], actuator: Actuator, *,
 
 
 def twin(actuator: Actuator, experiment: Union[Mapping[str, Any], Path], hidden: Hidden = {}, *,
-         noise: Mapping[str, float] = {}, seed: int = 1) -> Records:
+         noise: Mapping[str, float] = {}, seed: int = 1, effects: Sequence[Effect] = ()) -> Records:
     """Synthetic records of an actuator that has effects which it does not declare.
 
-    hidden: their ids with their numbers: {"dry_friction": {"torque_Nmm": 0.6}}. Otherwise as `plan`. The same arguments
-    give the same bytes as the program's.
+    hidden: their ids with their numbers: {"dry_friction": {"torque_Nmm": 0.6}}. effects: those written in Python.
+    Otherwise as `plan`. The same arguments give the same bytes as the program's.
 
     >>> import coilwright as cw
     >>> finger = cw.Actuator.prototype()
@@ -266,7 +266,7 @@ def twin(actuator: Actuator, experiment: Union[Mapping[str, Any], Path], hidden:
     """
     words = [f"{id}:{','.join(f'{key}={float(value)!r}' for key, value in numbers.items())}".rstrip(":")
              for id, numbers in hidden.items()]
-    return Records(*_core.twin(core_of(actuator), _planned(experiment, noise), words, seed))
+    return Records(*_core.twin(core_of(actuator), _planned(experiment, noise), words, seed, catalogue(effects)))
 
 
 def _planned(experiment: Union[Mapping[str, Any], Path], noise: Mapping[str, float]) -> _core.Planned:

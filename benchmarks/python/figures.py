@@ -92,8 +92,8 @@ def effect_of_python() -> None:
         finger = cw.Actuator.from_dict({**cw.Actuator.load(FINGER).to_dict(), "effects": effects}, effects=[own])
         return here(lambda: [cw.simulate(finger, step=1.4) for _ in range(20)]) / 20
     ratios = [seconds("own_drag") / seconds("quadratic_drag") for _ in range(ROUNDS)]
-    print(f"simulate 1 s with an effect of Python: {1e3 * seconds('own_drag'):.1f} ms, {np.median(ratios):.0f} times the same "
-          f"effect of ours ({min(ratios):.0f} to {max(ratios):.0f})", flush=True)
+    print(f"simulate 1 s with an effect of Python: {1e3 * seconds('own_drag'):.1f} ms, {np.median(ratios):.0f} times one of "
+          f"ours ({min(ratios):.0f} to {max(ratios):.0f})", flush=True)
 
 
 if __name__ == "__main__":

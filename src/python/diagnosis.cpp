@@ -114,8 +114,8 @@ py::tuple plan(const Planned& planned, const Actuator& actuator, const std::vect
 py::tuple twin(const Actuator& actuator, const Planned& planned, const std::vector<std::string>& hidden,
                std::uint64_t seed, const actuator::EffectCatalogue& known) {
   const formats::DeclaredActuator rig = rig_of(actuator, {}, measurement::replay::Tolerances::exact());
-  std::vector<actuator::Effect> effects;
-  for (const std::string& each : hidden) effects.push_back(formats::parse_effect(each, known));
+  const std::vector<actuator::Effect> effects =
+      formats::parse_hidden_effects(hidden, rig.model.build({}), actuator.origin, known);
   const auto runs = interruptible([&](const std::stop_token&) {
     return measurement::planning::simulate_experiment(planned.experiment, rig.model, effects, seed);
   });

@@ -48,12 +48,6 @@ struct OwnedKind {
   std::unique_ptr<const actuator::DescribedEffect> kind{};
 };
 
-// As an exception of Python: others say that a motion cannot be computed, and a search goes on without it.
-[[noreturn]] void refuse(const std::string& text) {
-  PyErr_SetString(PyExc_ValueError, text.c_str());
-  throw py::error_already_set();
-}
-
 // What an effect of Python does: its function is called with the effect's numbers, with what enters its stage and with
 // its states, and gives what leaves the stage and the slopes of the states. Every call takes the interpreter's lock.
 class PythonTerm final : public EffectTerm {
@@ -71,7 +65,6 @@ class PythonTerm final : public EffectTerm {
   void settle(const Kinematics& motion, const actuator::CoilCurrents& currents, double* out) const override {
     if (states_ == 0) return;
     const Eigen::VectorXd rest = at_rest(motion.angles, currents);
-    require(rest.size() == states_, "settled", fmt::format("{} numbers, as before", states_));
     std::copy_n(rest.data(), states_, out);
   }
 
@@ -108,13 +101,18 @@ class PythonTerm final : public EffectTerm {
   }
 
  private:
+  // Throws an exception of Python: others say that a motion cannot be computed, and a search goes on without it.
   void require(bool kept, std::string_view function, const std::string& rule) const {
-    if (!kept) refuse(fmt::format("effect {}: {} must give {}", kind_.id, function, rule));
+    if (kept) return;
+    PyErr_SetString(PyExc_ValueError, fmt::format("effect {}: {} must give {}", kind_.id, function, rule).c_str());
+    throw py::error_already_set();
   }
 
   Eigen::VectorXd at_rest(const Eigen::VectorXd& angles, const Eigen::VectorXd& currents) const {
     const py::gil_scoped_acquire lock;
-    return array_of((*kind_.settled)(numbers_, angles, currents), "settled", "an array");
+    Eigen::VectorXd rest = array_of((*kind_.settled)(numbers_, angles, currents), "settled", "an array");
+    require(states_ == 0 || rest.size() == states_, "settled", fmt::format("{} numbers, as before", states_));
+    return rest;
   }
 
   Eigen::VectorXd array_of(const py::handle& value, std::string_view function, const std::string& rule) const {

@@ -82,7 +82,6 @@ def own_objective(budget: int, milliseconds: float) -> None:
 
 
 def effect_of_python() -> None:
-    """The same drag, ours and as a function of Python, in the same simulation."""
     own = cw.Effect("own_drag", stage="hinge", description="air", equation="q_j -= c |theta_j'| theta_j'", source="ours",
                     numbers=[cw.Number("drag_Nmms2_rad2", "c", lower=0.0, upper=1.0, absent=0.0)], starts=[[0.01]],
                     torques=lambda numbers, angles, rates, currents: -numbers[0] * np.abs(rates) * rates)

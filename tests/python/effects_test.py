@@ -19,8 +19,7 @@ def lagging(numbers, angles, rates, shown):
 
 
 def creeping(numbers, angles, rates, currents, crept):
-    stretch = angles - crept
-    return -numbers[0] * STIFFNESS * stretch, stretch / numbers[1]
+    return numbers[0] * STIFFNESS * (crept - angles), (angles - crept) / numbers[1]
 
 
 def warming(numbers, currents, lost):

@@ -93,7 +93,7 @@ def _batch(function: Callable[[Numbers], Numbers], inputs: list[str], outputs: l
 
 
 def _mapping(answer: Numbers, outputs: list[str]) -> Numbers:
-    if not isinstance(answer, Mapping) or not all(name in answer for name in outputs):
+    if not isinstance(answer, Mapping) or not answer.keys() >= {*outputs}:
         raise KeyError(f"the function must give each of {', '.join(outputs)} by name; got {answer!r}")
     return answer
 

@@ -87,8 +87,8 @@ def effect_of_python() -> None:
                     torques=lambda numbers, angles, rates, currents: -numbers[0] * np.abs(rates) * rates)
 
     def seconds(id: str) -> float:
-        effects = [{"id": id, "parameters": {"drag_Nmms2_rad2": 0.0116}}]
-        finger = cw.Actuator.from_dict({**cw.Actuator.load(FINGER).to_dict(), "effects": effects}, effects=[own])
+        drag = {"effects": [{"id": id, "parameters": {"drag_Nmms2_rad2": 0.0116}}]}
+        finger = cw.Actuator.from_dict({**cw.Actuator.load(FINGER).to_dict(), **drag}, effects=[own])
         return here(lambda: [cw.simulate(finger, step=1.4) for _ in range(20)]) / 20
     ratios = [seconds("own_drag") / seconds("quadratic_drag") for _ in range(ROUNDS)]
     print(f"simulate 1 s with an effect of Python: {1e3 * seconds('own_drag'):.1f} ms, {np.median(ratios):.0f} times one of "

@@ -35,10 +35,10 @@ Actuator with_assignments(const Actuator& from, const std::vector<std::string>& 
 }  // namespace
 
 Actuator::Driven Actuator::driven() const {
-  if (const auto* model = std::get_if<actuator::Model>(&content.content)) return {.model = *model};
+  if (const auto* model = std::get_if<actuator::Model>(&content.content)) return {*model, std::nullopt};
   try {
     actuator::Assembly assembly = actuator::assemble_or_throw(std::get<actuator::Design>(content.content));
-    return {.model = std::move(assembly.model), .coil = assembly.coil};
+    return {std::move(assembly.model), assembly.coil};
   } catch (const std::invalid_argument& fault) {
     throw text::InputError({.file = origin, .rule = fault.what()});
   }

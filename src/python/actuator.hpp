@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -19,11 +20,8 @@ struct Actuator {
   std::string origin;  ///< "finger.json"; "actuator" of one made in memory
 
   [[nodiscard]] bool is_design() const { return std::holds_alternative<actuator::Design>(content.content); }
+  using Driven = std::pair<actuator::Model, std::optional<actuator::CoilElectrics>>;
   /// The model, or that of the design with its coil. Throws InputError where it cannot be built.
-  struct Driven {
-    actuator::Model model;
-    std::optional<actuator::CoilElectrics> coil{};
-  };
   [[nodiscard]] Driven driven() const;
 };
 

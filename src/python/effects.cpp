@@ -79,6 +79,7 @@ class PythonTerm final : public EffectTerm {
                    mechanics::JointVector& torques) const override {
     if (kind_.gives == "torques") torques += given({motion.angles, motion.rates, strength}, 1, own).front();
   }
+  bool shows() const override { return kind_.gives == "shown"; }
   // By central differences: a step far below any motion's rates and far above rounding.
   void add_damping(const Kinematics& motion, const actuator::CoilCurrents& strength,
                    mechanics::JointMatrix& damping) const override {

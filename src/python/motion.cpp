@@ -83,7 +83,7 @@ Motion simulate(const Actuator& actuator, const Command& command) {
   try {
     const simulation::RecordedMotion motion =
         interruptible([&](const std::stop_token& stop) { return record(driven, command, actuator.origin, stop); });
-    std::vector<std::string> columns = formats::columns_of_motion(command.input, driven.model.joints());
+    std::vector<std::string> columns = formats::columns_of_motion(command.input, driven.first.joints());
     py::array_t<double> rows = rows_of(command, motion, columns.size());
     return {.columns = std::move(columns), .rows = std::move(rows)};
   } catch (const std::invalid_argument& misfit) {

@@ -4,6 +4,9 @@ import pytest
 import coilwright as cw
 
 MODEL = cw.Actuator.load("tests/data/formats/lumped_model.json").to_dict()
+CHIRP = {"chirp": {"amplitude_A": 0.4, "offset_A": 0.3, "from_Hz": 2, "to_Hz": 8}}
+SWING = {"format": "experiment/1", "name": "swing", "sampling_rate_Hz": 500,
+         "runs": [{"file": "swing.csv", "role": "fit", "duration_s": 0.4, "input": CHIRP}]}
 STIFFNESS = np.array([joint["stiffness_Nm_rad"] for joint in MODEL["joints"]])
 
 
@@ -14,8 +17,7 @@ def own(stage, keys, **functions):
 
 
 def lagging(numbers, angles, rates, shown):
-    slopes = (angles - shown) / numbers[0]
-    return shown, slopes, slopes
+    return shown, (angles - shown) / numbers[0], (angles - shown) / numbers[0]
 
 
 def creeping(numbers, angles, rates, currents, crept):
@@ -41,14 +43,14 @@ def warming(numbers, currents, lost):
          settled=lambda numbers, angles, currents: angles), 1e-9),
     ("tracking_lag", {"time_constant_ms": 20.0},
      own("camera", ["time_constant_ms"], shown=lagging, settled=lambda numbers, angles, currents: angles), 1e-9),
+    ("angle_scale", {"scale": 1.1}, own("camera", ["scale"], shown=lambda k, angles, rates: (k * angles, k * rates)), 1e-9),
 ])
-def test_an_effect_of_python_moves_the_model_as_ours_of_the_same_equation(ours, numbers, effect, same):
-    def angle(*effects):
-        actuator = cw.Actuator.from_dict({**MODEL, "effects": list(effects)}, effects=[effect])
-        return cw.simulate(actuator, sine=(0.4, 0.3, 4.0), duration=0.4)["bending_angle_deg"]
-    alike = angle({"id": ours, "parameters": numbers})
+def test_an_effect_of_python_is_recorded_as_ours_of_the_same_equation(ours, numbers, effect, same):
+    def angle(**hidden):
+        return cw.twin(cw.Actuator.from_dict(MODEL), SWING, hidden, effects=[effect])["swing.csv"]["bending_angle_deg"]
+    alike = angle(**{ours: numbers})
     assert np.max(np.abs(alike - angle())) > 0.1
-    assert np.max(np.abs(angle({"id": "own", "parameters": numbers}) - alike)) <= same * np.ptp(alike)
+    assert np.max(np.abs(angle(own=numbers) - alike)) <= same * np.ptp(alike)
 
 
 def test_a_drag_of_python_damps_small_motions_as_the_hinge_does():
@@ -58,9 +60,6 @@ def test_a_drag_of_python_damps_small_motions_as_the_hinge_does():
     there = cw.evaluate(cw.Actuator.from_dict({**MODEL, "joints": hinges}), current=0.5)
     here = cw.evaluate(cw.Actuator.from_dict(dragged, effects=[drag]), current=0.5)
     assert here.damping_ratio == pytest.approx(there.damping_ratio, rel=1e-9)  # rounding of a difference over 0.2 mrad/s
-
-
-WITH_OWN = {**MODEL, "effects": [{"id": "own", "parameters": {"k": 1.0}}]}
 
 
 @pytest.mark.parametrize("stage, functions, error, text", [
@@ -75,4 +74,4 @@ WITH_OWN = {**MODEL, "effects": [{"id": "own", "parameters": {"k": 1.0}}]}
 ])
 def test_what_is_wrong_with_an_effect_of_python_is_told_and_ends_the_simulation(stage, functions, error, text):
     with pytest.raises(error, match=text):
-        cw.simulate(cw.Actuator.from_dict(WITH_OWN, effects=[own(stage, ["k"], **functions)]), step=0.5)
+        cw.twin(cw.Actuator.from_dict(MODEL), SWING, {"own": {"k": 1.0}}, effects=[own(stage, ["k"], **functions)])

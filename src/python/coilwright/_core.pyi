@@ -10,7 +10,6 @@ Array = NDArray[np.float64]
 Record = tuple[list[float], list[float], list[float], str, int]  # point, objectives, constraints, failure, number
 
 version: str
-
 def read_text(path: str) -> str: ...
 
 class Number:

@@ -46,9 +46,7 @@ class Effect:
 
     Functions must be pure, and are called from several threads, one call at a time, in every step of every simulation,
     which takes some hundred times as long as with an effect of Coilwright. `starts` are where fits begin, in the units of
-    the keys.
-
-    Once made, it stays in memory as long as the program: models and results refer to it.
+    the keys. Once made, it stays in memory as long as the program: models and results refer to it.
 
     >>> import coilwright as cw
     >>> def about(id, key):

@@ -81,8 +81,23 @@ def own_objective(budget: int, milliseconds: float) -> None:
           f"itself", flush=True)
 
 
+def effect_of_python() -> None:
+    own = cw.Effect("own_drag", stage="hinge", description="air", equation="q_j -= c |theta_j'| theta_j'", source="ours",
+                    numbers=[cw.Number("drag_Nmms2_rad2", "c", lower=0.0, upper=1.0, absent=0.0)], starts=[[0.01]],
+                    torques=lambda numbers, angles, rates, currents: -numbers[0] * np.abs(rates) * rates)
+
+    def seconds(id: str) -> float:
+        drag = {"effects": [{"id": id, "parameters": {"drag_Nmms2_rad2": 0.0116}}]}
+        finger = cw.Actuator.from_dict({**cw.Actuator.load(FINGER).to_dict(), **drag}, effects=[own])
+        return here(lambda: [cw.simulate(finger, step=1.4) for _ in range(20)]) / 20
+    ratios = [seconds("own_drag") / seconds("quadratic_drag") for _ in range(ROUNDS)]
+    print(f"simulate 1 s with an effect of Python: {1e3 * seconds('own_drag'):.1f} ms, {np.median(ratios):.0f} times one of "
+          f"ours ({min(ratios):.0f} to {max(ratios):.0f})", flush=True)
+
+
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as work:
         forces(1_000_000 if "--short" not in sys.argv else 20_000, pathlib.Path(work))
     evaluations(400 if "--short" not in sys.argv else 50)
+    effect_of_python()
     own_objective(2000, 10.0)

@@ -41,21 +41,17 @@ formats::ActuatorFile read_actuator(const ActuatorOptions& options) {
         {.file = options.file, .rule = fmt::format("must be a file, and is a folder; is {} meant?", inside.string())});
   formats::ActuatorFile file = formats::read_actuator(options.file);
   if (options.assignments.empty()) return file;
-  auto* design = std::get_if<actuator::Design>(&file.content);
-  if (design == nullptr)
-    throw text::InputError({.file = options.file, .rule = "is a lumped model: --set changes designs only"});
+  actuator::Design design = formats::design_of(file, options.file, "--set changes designs only");
   require_names_once(options.assignments);
   for (const std::string& assignment : options.assignments)
-    *design = formats::with_assignment(std::move(*design), assignment);
+    design = formats::with_assignment(std::move(design), assignment);
+  file.content = std::move(design);
   return file;
 }
 
-BuiltDesign built_design(formats::ActuatorFile file, const ActuatorOptions& options, std::string_view reason) {
-  auto* design = std::get_if<actuator::Design>(&file.content);
-  if (design == nullptr)
-    throw text::InputError({.file = options.file, .rule = fmt::format("is a lumped model: {}", reason)});
-  actuator::Assembly assembly = assemble(*design, options);
-  return {.design = std::move(*design), .assembly = std::move(assembly)};
+BuiltDesign built_design(const formats::ActuatorFile& file, const ActuatorOptions& options, std::string_view reason) {
+  const actuator::Design& design = formats::design_of(file, options.file, reason);
+  return {.design = design, .assembly = assemble(design, options)};
 }
 
 actuator::Model read_model(const ActuatorOptions& options) {

@@ -40,7 +40,7 @@ struct BuiltDesign {
 
 /// The design in `file`, assembled. Throws InputError naming the file where it has a lumped model ("is a lumped model:
 /// " and `reason`), or a design that cannot be built.
-[[nodiscard]] BuiltDesign built_design(formats::ActuatorFile file, const ActuatorOptions& options,
+[[nodiscard]] BuiltDesign built_design(const formats::ActuatorFile& file, const ActuatorOptions& options,
                                        std::string_view reason);
 
 /// The model in the file of `options`, or of the design in it. Throws as read_actuator() and assemble().

@@ -25,7 +25,6 @@
 #include "coilwright/simulation/performance.hpp"
 #include "coilwright/simulation/pressed_joints.hpp"
 #include "coilwright/text/input_error.hpp"
-#include "coilwright/units/unit.hpp"
 #include "commands.hpp"
 #include "options.hpp"
 #include "outputs.hpp"
@@ -36,13 +35,8 @@ namespace {
 
 struct EvaluateOptions {
   ActuatorOptions actuator;
-  std::optional<double> current{};
-  std::optional<double> duty{};
-  std::optional<double> grasp_opening{};  // degrees
-  std::optional<double> grasp_height{};   // mm
+  formats::OperatingWords said;
   std::optional<std::string> wiring{};
-  std::optional<double> supply_resistance{};
-  std::optional<double> supply_voltage{};
   bool json{false};
   std::optional<std::string> page{};
   bool force{false};
@@ -52,39 +46,15 @@ std::runtime_error no_performance(const std::string& file, const simulation::NoP
   return std::runtime_error(fmt::format("{}: {}", file, why.reason));
 }
 
-text::InputError no_current(const EvaluateOptions& options) {
-  return text::InputError(
-      {.file = options.actuator.file, .rule = "has no operating_point: give a current with --current-A"});
-}
-
-actuator::GraspPoint grasp_point(const actuator::GraspPoint& usual, const EvaluateOptions& options) {
-  actuator::GraspPoint grasp = usual;
-  if (options.grasp_opening) grasp.opening = units::to_memory(*options.grasp_opening, "grasp_opening_deg");
-  if (options.grasp_height) grasp.height = units::to_memory(*options.grasp_height, "grasp_height_mm");
-  return grasp;
-}
-
-// The file's own operating point, where it has one, under what the command line says.
 simulation::OperatingPoint operating_point(const formats::ActuatorFile& file, const EvaluateOptions& options) {
-  simulation::OperatingPoint point = file.operating_point.value_or(simulation::OperatingPoint{});
-  if (!options.current && !file.operating_point) throw no_current(options);
-  point.current = options.current.value_or(point.current);
-  point.duty = options.duty.value_or(point.duty);
-  point.grasp = grasp_point(point.grasp, options);
-  if (options.wiring)
-    point.supply.wiring = *options.wiring == "series" ? actuator::Wiring::series : actuator::Wiring::parallel;
-  point.supply.resistance = options.supply_resistance.value_or(point.supply.resistance);
-  if (options.supply_voltage) point.supply.voltage = options.supply_voltage;
-  return point;
+  formats::OperatingWords said = options.said;
+  if (options.wiring) said.wiring = *options.wiring == "series" ? actuator::Wiring::series : actuator::Wiring::parallel;
+  return formats::operating_point_of(file, said, options.actuator.file, "give a current with --current-A");
 }
 
 void evaluate(const actuator::Design& design, const formats::ActuatorFile& file, const EvaluateOptions& options) {
   const simulation::OperatingPoint point = operating_point(file, options);
   const actuator::Assembly assembly = assemble(design, options.actuator);
-  if (point.supply.wiring == actuator::Wiring::series && !has_one_current(design))
-    throw text::InputError(
-        {.file = options.wiring ? "--wiring" : options.actuator.file,
-         .rule = "must be parallel: the coils have shares of the current, and in series there is one"});
   const auto result = [&] {
     try {
       return simulation::performance_of(design, assembly, point);
@@ -120,25 +90,25 @@ void evaluate(const actuator::Design& design, const formats::ActuatorFile& file,
   }
 }
 
-void evaluate(const actuator::Model& model, const formats::ActuatorFile&, const EvaluateOptions& options) {
+void evaluate(const actuator::Model& model, const formats::ActuatorFile& file, const EvaluateOptions& options) {
   if (options.page)
     throw text::InputError({.file = options.actuator.file,
                             .rule = "is a lumped model: --report draws a design with its dimensions (actuator/1)"});
-  if (!options.current) throw no_current(options);
-  const auto result = simulation::motion_of(model, *options.current, grasp_point({}, options));
+  const simulation::OperatingPoint point = operating_point(file, options);
+  const auto result = simulation::motion_of(model, point.current, point.grasp);
   if (const auto* why = std::get_if<simulation::NoPerformance>(&result))
     throw no_performance(options.actuator.file, *why);
   const simulation::MotionSummary& motion = std::get<simulation::MotionSummary>(result);
-  const std::vector<simulation::CorrectionReach> reach = simulation::correction_reach(model, motion, *options.current);
+  const std::vector<simulation::CorrectionReach> reach = simulation::correction_reach(model, motion, point.current);
   const std::vector<int> at_rest = simulation::pressed_joints(model, motion.rest_angles);
   const std::vector<int> under_current = simulation::pressed_joints(model, motion.steady_angles);
   if (!options.json) {
     if (const std::string text = simulation::pressed_joints_text(at_rest, under_current); !text.empty())
       std::cout << fmt::format("MIND: {}.\n", text);
-    std::cout << report::to_text(motion, *options.current) << report::to_text(reach);
+    std::cout << report::to_text(motion, point.current) << report::to_text(reach);
     return;
   }
-  text::Json out = formats::to_json(motion, *options.current);
+  text::Json out = formats::to_json(motion, point.current);
   if (!reach.empty()) out.set("torque_correction", formats::to_json(reach));
   std::cout << out.text();
 }
@@ -149,22 +119,23 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<EvaluateOptions>();
   CLI::App* command = app.add_subcommand("evaluate", "Compute what an actuator does at one current");
   add_actuator_options(*command, options->actuator);
-  add_number(*command, "--current-A,--current", options->current, text::Rule::between(-1e6, 1e6),
+  add_number(*command, "--current-A,--current", options->said.current, text::Rule::between(-1e6, 1e6),
              "Current in every coil, A; a positive current bends the actuator. Default: that of the\n"
              "operating_point of ACTUATOR.json, which size writes");
-  add_number(*command, "--duty", options->duty, text::Rule::between(0.0, 1.0),
+  add_number(*command, "--duty", options->said.duty, text::Rule::between(0.0, 1.0),
              "Fraction of the time for which the current is on, 0 to 1; affects only heat. Default: likewise, or 1");
-  add_number(*command, "--grasp-opening-deg", options->grasp_opening, text::Rule::between(0.0, 360.0),
+  add_number(*command, "--grasp-opening-deg", options->said.grasp_opening, text::Rule::between(0.0, 360.0),
              "Bending angle at which the free actuator would just touch the wall that grasp forces are taken at.\n"
              "Default: likewise, or 0: the straight actuator touches it");
-  add_number(*command, "--grasp-height-mm", options->grasp_height, text::Rule::between(0.0, 1e6),
+  add_number(*command, "--grasp-height-mm", options->said.grasp_height, text::Rule::between(0.0, 1e6),
              "Where on the last segment it touches the wall, from that segment's joint. Default: likewise, or\n"
              "the tip");
   add_word(*command, "--wiring", options->wiring, {"parallel", "series"},
            "How the coils hang on the supply: parallel or series. Default: likewise, or parallel");
-  add_number(*command, "--supply-resistance-Ohm,--supply-resistance", options->supply_resistance,
+  add_number(*command, "--supply-resistance-Ohm,--supply-resistance", options->said.supply_resistance,
              text::Rule::between(0.0, 1e6), "Resistance inside the supply and its leads, Ohm. Default: likewise, or 0");
-  add_number(*command, "--supply-voltage-V,--supply-voltage", options->supply_voltage, text::Rule::between(1e-6, 1e6),
+  add_number(*command, "--supply-voltage-V,--supply-voltage", options->said.supply_voltage,
+             text::Rule::between(1e-6, 1e6),
              "Voltage of the supply without load, V; asks for the current that it drives at most");
   add_json_option(*command, options->json);
   add_report_file_option(*command, options->page, options->force);

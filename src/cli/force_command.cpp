@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <iostream>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -40,15 +39,11 @@ std::array<double, 3> components_in(const Eigen::Vector3d& vector, std::string_v
 }
 
 /// What acts in each pose of the last body.
-std::vector<Forces> forces_of(const PairFile& file) {
+std::vector<Forces> forces_of(const PairFile& file, const std::string& name) {
   std::vector<Forces> all;
   all.reserve(file.poses.size());
-  for (const Pose& pose : file.poses) {
-    all.push_back(magnetics::forces(file.bodies_at(pose), file.plate));
-    for (const Wrench& each : all.back().on)
-      if (!each.force.allFinite() || !each.torque.allFinite())
-        throw std::domain_error(fmt::format("pose {}: the force is beyond what can be computed", all.size()));
-  }
+  for (const Pose& pose : file.poses)
+    all.push_back(formats::forces_on(file, file.bodies_at(pose), all.size() + 1, name));
   return all;
 }
 
@@ -207,7 +202,7 @@ std::string as_table(const PairFile& file, const std::vector<Forces>& all, bool 
 void run_force(const ForceOptions& options) {
   const PairFile file = formats::read_pair(options.pair);
   require_apart(file, options.pair);
-  const std::vector<Forces> all = forces_of(file);
+  const std::vector<Forces> all = forces_of(file, options.pair);
   warn_of_overlaps(file, options.pair);
   warn_of_errors(all, options.pair);
   if (file.plate) warn_of_plate(file, options.pair);

@@ -40,8 +40,7 @@ ExitCode end_pareto_part(text::OutputFolder& folder, formats::PartFile part, con
 }
 
 ExitCode run_pareto(const StudyOptions& options, const PartOptions& part_options) {
-  StudyInput input =
-      read_study(options, {.least = 2, .most = 3, .rule = "must be two or three for pareto (size takes one)"});
+  StudyInput input = read_study(options, formats::objectives_of_pareto);
   input.provenance.command = "pareto";
   std::optional<formats::PartFile> part = begin_search_part(part_options, input.provenance, input.study);
   const sizing::DesignProblem problem(std::move(input.study));

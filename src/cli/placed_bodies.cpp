@@ -5,13 +5,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <iostream>
 #include <vector>
 
 #include "coilwright/magnetics/forces.hpp"
 #include "coilwright/magnetics/overlap.hpp"
-#include "coilwright/text/input_error.hpp"
 #include "coilwright/units/unit.hpp"
 
 namespace coilwright::cli {
@@ -20,32 +18,26 @@ namespace {
 using magnetics::Body;
 using units::from_si;
 
-bool in_one_place(const Body& first, const Body& second) {
-  return magnetics::overlap(magnetics::shape_of(first), magnetics::shape_of(second),
-                            magnetics::seen_from(first.pose, second.pose));
+// Of the bodies only the last one moves from pose to pose.
+std::size_t first_that_moved(const std::vector<Body>& bodies, std::size_t pose) {
+  return pose == 0 ? 0 : bodies.size() - 1;
 }
 
-// Calls `found` with the number of the pose and of both bodies. Of the bodies only the last one moves.
-void each_overlap(const formats::PairFile& file,
-                  const std::function<void(std::size_t, std::size_t, std::size_t)>& found) {
-  const std::size_t last = file.bodies.size() - 1;
-  for (std::size_t p = 0; p < file.poses.size(); ++p) {
-    const std::vector<Body> bodies = file.bodies_at(file.poses[p]);
-    for (std::size_t i = 0; i < last; ++i) {
-      if (in_one_place(bodies[i], bodies[last])) found(p, i, last);
-      for (std::size_t j = i + 1; p == 0 && j < last; ++j)
-        if (in_one_place(bodies[i], bodies[j])) found(p, i, j);
-    }
-  }
+bool some_in_one_place(const std::vector<Body>& bodies, std::size_t first) {
+  for (std::size_t j = first; j < bodies.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      if (magnetics::overlap(bodies[i], bodies[j])) return true;
+  return false;
 }
 
 }  // namespace
 
 void warn_of_overlaps(const formats::PairFile& file, const std::string& name) {
   std::vector<std::size_t> poses;
-  each_overlap(file, [&](std::size_t pose, std::size_t, std::size_t) {
-    if (poses.empty() || poses.back() != pose + 1) poses.push_back(pose + 1);
-  });
+  for (std::size_t p = 0; p < file.poses.size(); ++p) {
+    const std::vector<Body> bodies = file.bodies_at(file.poses[p]);
+    if (some_in_one_place(bodies, first_that_moved(bodies, p))) poses.push_back(p + 1);
+  }
   if (poses.empty()) return;
   constexpr std::size_t most = 5;
   const std::size_t shown = std::min(most, poses.size());
@@ -58,14 +50,10 @@ void warn_of_overlaps(const formats::PairFile& file, const std::string& name) {
 }
 
 void require_apart(const formats::PairFile& file, const std::string& name) {
-  each_overlap(file, [&](std::size_t pose, std::size_t i, std::size_t j) {
-    if (magnetics::is_axial(file.bodies[i]) && magnetics::is_axial(file.bodies[j])) return;
-    throw text::InputError({.file = name,
-                            .place = {},
-                            .rule = fmt::format("must have {} and {} apart: in pose {} they are in the same place, "
-                                                "where the force on a magnet's faces means nothing",
-                                                file.names[i], file.names[j], pose + 1)});
-  });
+  for (std::size_t p = 0; p < file.poses.size(); ++p) {
+    const std::vector<Body> bodies = file.bodies_at(file.poses[p]);
+    formats::require_apart(file, bodies, first_that_moved(bodies, p), p + 1, name);
+  }
 }
 
 void warn_of_plate(const formats::PairFile& file, const std::string& name) {

@@ -128,16 +128,6 @@ ModelInput model_input(const SimulateOptions& options, const actuator::Model& mo
   }
 }
 
-// A step starts at rest without current; every other input where a recorded run starts that begins at rest.
-State start_of(const SimulateOptions& options, const actuator::Model& model, const ModelInput& input) {
-  const std::optional<State> start =
-      options.step
-          ? simulation::state_at_rest(model, model.all_coils(0.0), mechanics::JointVector::Zero(model.joints()))
-          : simulation::equilibrium_at_first_input(model, input);
-  if (start) return *start;
-  throw std::runtime_error(options.actuator.file + ": has no stable pose under the first input to start from");
-}
-
 RecordedMotion record(const actuator::Model& model, const ModelInput& input, const State& start) {
   // A stiff model, or a long time, takes long: then it is said how far it is.
   std::atomic<double> reached = input.times.front();
@@ -146,37 +136,6 @@ RecordedMotion record(const actuator::Model& model, const ModelInput& input, con
     return fmt::format("the motion is known to {:.6g} s of {:.6g} s", reached.load(), input.times.back());
   });
   return simulation::record_motion(model, input, start, {.progress = [&](double time) { reached = time; }});
-}
-
-// A recorded current a thousand times too large moves the model to no end; no coil carries it. Heat that stays in a
-// coil's copper bounds what it survives for a second; where no copper is known, what any rig of this kind has does.
-void require_bearable(const SimulateOptions& options, const CommandedInput& command, const ModelInput& input,
-                      const std::optional<actuator::CoilElectrics>& coil) {
-  constexpr double largest_current = 100.0;      // A
-  constexpr double copper_heat = 385.0;          // J/(kg K), CRC Handbook, 25 degC; hotter it is more by up to a fifth
-  constexpr double melting_above_room = 1065.0;  // K
-  if (options.input.empty() || options.as_written || command.drive == Drive::torque) return;
-  double largest = 0.0;
-  double squares = 0.0;  // A^2 s, of all samples but the last, which lasts no time
-  for (std::size_t i = 0; i < input.times.size(); ++i) {
-    const double current = input.currents[i].cwiseAbs().maxCoeff();
-    largest = std::max(largest, current);
-    if (i + 1 < input.times.size()) squares += current * current * (input.times[i + 1] - input.times[i]);
-  }
-  const double duration = input.times.back() - input.times.front();
-  const double in_a_second = squares / std::max(1.0, duration);
-  const bool melts = coil && in_a_second * coil->resistance > melting_above_room * copper_heat * coil->copper_mass;
-  if (!melts && largest <= largest_current) return;
-  const std::string column = formats::columns_of_input(command).front();
-  const bool voltage = command.drive == Drive::voltage;
-  throw text::InputError(
-      {.file = options.input,
-       .place = "column " + column,
-       .rule = fmt::format("{} {:.4g} A{}: looks like {} (name the column {}); --as-written takes it as it is",
-                           voltage ? "drives up to" : "reaches", largest,
-                           melts ? ", by which a coil's copper melts within a second" : ", which no such coil carries",
-                           voltage ? "millivolts" : "milliamperes",
-                           column.substr(0, column.rfind('_')) + (voltage ? "_mV" : "_mA"))});
 }
 
 // Joints that magnets, weight or a current hold shut for the whole record or a part of it.
@@ -211,11 +170,15 @@ void run_simulate(const SimulateOptions& options) {
   const actuator::Model& model = driven.model;
   const CommandedInput command = command_of(options, model);
   const ModelInput input = model_input(options, model, command);
-  require_bearable(options, command, input, driven.coil);
+  if (!options.input.empty() && !options.as_written)
+    formats::require_bearable(command, input, driven.coil, options.input);
   const std::vector<std::string> columns = formats::columns_of_motion(command, model.joints());
   text::OutputFile file(options.out);
   keep_other_table(file, columns, options.force);
-  const RecordedMotion recording = record(model, input, start_of(options, model, input));
+  const RecordedMotion recording =
+      record(model, input,
+             start_of(model, input, options.step ? simulation::Start::no_current : simulation::Start::first_input,
+                      options.actuator.file));
   formats::write_motion(file.stream(), command, recording);
   file.commit();
   if (options.json) {

@@ -87,8 +87,7 @@ ExitCode end_size_part(text::OutputFolder& folder, formats::PartFile part, const
 }
 
 ExitCode run_size(const StudyOptions& options, const PartOptions& part_options) {
-  StudyInput input =
-      read_study(options, {.least = 1, .most = 1, .rule = "must be one for size (pareto takes two or three)"});
+  StudyInput input = read_study(options, formats::objectives_of_size);
   input.provenance.command = "size";
   std::optional<formats::PartFile> part = begin_search_part(part_options, input.provenance, input.study);
   const DesignProblem problem(std::move(input.study));

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "coilwright/formats/study/study_file.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "options.hpp"
@@ -76,17 +75,12 @@ void add_search_options(CLI::App& command, StudyOptions& options) {
       ->check(CLI::Validator(algorithm_complaint, ""));
 }
 
-StudyInput read_study(const StudyOptions& options, const ObjectiveCount& objectives) {
+StudyInput read_study(const StudyOptions& options, const formats::ObjectiveCount& objectives) {
   require_names_once(options.changes);
   const text::InputText file = text::read_text(options.study, text::json_size_limit);
   auto [study, actuator, posterior, builds_a_system] =
       formats::parse_study_file(file.text, file.file, {.changes = options.changes});
-  const std::size_t count = study.objectives.size();
-  if (count < objectives.least || count > objectives.most)
-    throw text::InputError({.file = file.file,
-                            .place = "/objectives",
-                            .rule = std::string(objectives.rule),
-                            .value = fmt::format("{}", count)});
+  formats::require_objectives(study, objectives, file.file);
   study.search.threads = static_cast<unsigned>(options.threads);
   if (options.seed) study.search.seed = *options.seed;
   if (options.max_evaluations) study.search.max_evaluations = *options.max_evaluations;

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "coilwright/formats/study/study_file.hpp"
 #include "coilwright/results/provenance.hpp"
 #include "coilwright/sizing/study/study.hpp"
 #include "coilwright/sizing/study/yield.hpp"
@@ -40,13 +41,6 @@ void add_study_options(CLI::App& command, StudyOptions& options);
 /// --seed, --max-evaluations and --algorithm, which override what the study says.
 void add_search_options(CLI::App& command, StudyOptions& options);
 
-/// How many objectives a command takes.
-struct ObjectiveCount {
-  std::size_t least{};
-  std::size_t most{};
-  std::string_view rule;  ///< end of a sentence: "must be one for size; pareto takes two or three"
-};
-
 /// A study and the files that it is made of.
 struct StudyInput {
   sizing::Study study;
@@ -57,7 +51,7 @@ struct StudyInput {
 /// The study with what the command line changes, and its options in its `search`. Throws InputError, also when it has
 /// another number of objectives. `command` and the seed of the provenance are the caller's, as one draws and another
 /// does not.
-[[nodiscard]] StudyInput read_study(const StudyOptions& options, const ObjectiveCount& objectives);
+[[nodiscard]] StudyInput read_study(const StudyOptions& options, const formats::ObjectiveCount& objectives);
 
 /// sizing::yield_of() that tells on standard error, behind `about`, how many builds are done.
 [[nodiscard]] std::optional<sizing::Yield> yield_with_progress(const sizing::Study& study,

@@ -78,7 +78,7 @@ void end_sweep_part(text::OutputFolder& folder, const SweepRequest& request, for
 
 ExitCode run_sweep(const SweepCommandOptions& sweep_options) {
   const StudyOptions& options = sweep_options.study;
-  StudyInput input = read_study(options, {.least = 1, .most = 3, .rule = "must be one to three for sweep"});
+  StudyInput input = read_study(options, formats::objectives_of_sweep);
   const sizing::DesignProblem problem(std::move(input.study));
   input.provenance.command = "sweep";
   SweptDesigns designs = designs_of(sweep_options, problem);

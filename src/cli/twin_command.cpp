@@ -50,21 +50,6 @@ std::filesystem::path folder_of(const TwinOptions& options) {
   return out.has_filename() ? out : out.parent_path();
 }
 
-std::vector<Effect> read_hidden(const TwinOptions& options, const actuator::ModelSpec& nominal) {
-  std::vector<Effect> hidden;
-  for (const std::string& argument : options.effects) {
-    const Effect effect = formats::parse_effect(argument);
-    const auto refuse = [&](std::string rule) { return text::InputError({.file = argument, .rule = std::move(rule)}); };
-    if (std::ranges::count(hidden, effect.kind, &Effect::kind) > 0) throw refuse("must not be there twice");
-    if (std::ranges::count(nominal.effects, effect.kind, &Effect::kind) > 0)
-      throw refuse("is declared in " + options.actuator + " already");
-    if (const auto reason = effect.kind->inapplicable(nominal))
-      throw refuse(fmt::format("cannot be in {}: {}", options.actuator, *reason));
-    hidden.push_back(effect);
-  }
-  return hidden;
-}
-
 std::vector<Run> act_out(const TwinOptions& options, const Experiment& experiment,
                          const measurement::replay::DeclaredModel& rig, const std::vector<Effect>& hidden) {
   return blaming_the_experiment(options.experiment, [&] {
@@ -150,7 +135,8 @@ void run_twin(const TwinOptions& options) {
       formats::read_declared_actuator(options.actuator, {.names = {}, .file = options.actuator});
   const Experiment experiment = read_experiment(options.experiment);
   check_output(options, experiment);
-  const std::vector<Effect> hidden = read_hidden(options, rig.model.build({}));
+  const std::vector<Effect> hidden =
+      formats::parse_hidden_effects(options.effects, rig.model.build({}), options.actuator);
   const text::OutputFolder trial(folder_of(options));
   require_writable({answer_file_of(options)});
   write(options, experiment, hidden, act_out(options, experiment, rig.model, hidden));

@@ -100,4 +100,8 @@ bool overlap(const Shape& first, const Shape& second, const Pose& pose) {
       first, second);
 }
 
+bool overlap(const Body& first, const Body& second) {
+  return overlap(shape_of(first), shape_of(second), seen_from(first.pose, second.pose));
+}
+
 }  // namespace coilwright::magnetics

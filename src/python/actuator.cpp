@@ -1,6 +1,5 @@
 #include "python/actuator.hpp"
 
-#include <fmt/format.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -8,9 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "coilwright/actuator/assemble.hpp"
 #include "coilwright/formats/actuator/actuator_argument.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
+#include "coilwright/text/csv/csv_table.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/input_text.hpp"
 #include "coilwright/text/json/document.hpp"
@@ -27,22 +26,19 @@ Actuator loaded(const std::string& path, const actuator::EffectCatalogue& effect
 }
 
 Actuator with_assignments(const Actuator& from, const std::vector<std::string>& assignments) {
-  actuator::Design design = from.design("only the numbers of a design can be replaced");
+  actuator::Design design =
+      formats::design_of(from.content, from.origin, "only the numbers of a design can be replaced");
   for (const std::string& each : assignments) design = formats::with_assignment(std::move(design), each);
   return actuator_of(design, from.content.name, from.content.operating_point);
 }
 
 }  // namespace
 
-const actuator::Design& Actuator::design(std::string_view reason) const {
-  if (const auto* design = std::get_if<actuator::Design>(&content.content)) return *design;
-  throw text::InputError({.file = origin, .rule = fmt::format("is a lumped model: {}", reason)});
-}
-
-actuator::Model Actuator::model() const {
-  if (const auto* model = std::get_if<actuator::Model>(&content.content)) return *model;
+Actuator::Driven Actuator::driven() const {
+  if (const auto* model = std::get_if<actuator::Model>(&content.content)) return {*model, std::nullopt};
   try {
-    return actuator::assemble_or_throw(std::get<actuator::Design>(content.content)).model;
+    actuator::Assembly assembly = actuator::assemble_or_throw(std::get<actuator::Design>(content.content));
+    return {std::move(assembly.model), assembly.coil};
   } catch (const std::invalid_argument& fault) {
     throw text::InputError({.file = origin, .rule = fault.what()});
   }
@@ -61,6 +57,7 @@ Actuator actuator_of(const actuator::Design& design, const std::string& name,
 }
 
 void bind_actuator(py::module_& module) {
+  module.def("read_text", [](const std::string& path) { return text::read_text(path, text::csv_size_limit).text; });
   py::class_<Actuator>(module, "Actuator")
       .def_static("load", &loaded, py::arg("path"), py::arg("effects"))
       .def_static("parse", py::overload_cast<std::string, std::string, const actuator::EffectCatalogue&>(&actuator_of),

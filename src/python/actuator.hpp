@@ -2,10 +2,11 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
+#include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/actuator/model/model.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
@@ -19,10 +20,9 @@ struct Actuator {
   std::string origin;  ///< "finger.json"; "actuator" of one made in memory
 
   [[nodiscard]] bool is_design() const { return std::holds_alternative<actuator::Design>(content.content); }
-  /// Throws InputError with `reason` where it is a lumped model.
-  [[nodiscard]] const actuator::Design& design(std::string_view reason) const;
-  /// The model, or that of the design. Throws InputError where it cannot be built.
-  [[nodiscard]] actuator::Model model() const;
+  using Driven = std::pair<actuator::Model, std::optional<actuator::CoilElectrics>>;
+  /// The model, or that of the design with its coil. Throws InputError where it cannot be built.
+  [[nodiscard]] Driven driven() const;
 };
 
 /// The actuator of a file's text; its effects are of `effects`. Throws InputError.

@@ -17,6 +17,7 @@
 #include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/formats/study/front_json.hpp"
 #include "coilwright/formats/study/result_files.hpp"
+#include "coilwright/formats/study/study_file.hpp"
 #include "coilwright/formats/study/sweep_json.hpp"
 #include "coilwright/report/front_text.hpp"
 #include "coilwright/report/size_text.hpp"
@@ -36,12 +37,9 @@ namespace {
 namespace py = pybind11;
 using sizing::DesignProblem;
 
-sizing::Study study_with(const Study& study, const SearchWords& words, bool answer_only, std::size_t least,
-                         std::size_t most, const char* rule) {
-  const std::size_t count = study.content.objectives.size();
-  if (count < least || count > most)
-    throw text::InputError(
-        {.file = study.content.name, .place = "/objectives", .rule = rule, .value = fmt::format("{}", count)});
+sizing::Study study_with(const Study& study, const py::dict& words, bool answer_only,
+                         const formats::ObjectiveCount& objectives) {
+  formats::require_objectives(study.content, objectives, study.origin);
   sizing::Study out = study.content;
   out.search = options_of(words, out.search);
   if (answer_only) out.search.afterwards = sizing::Afterwards::nothing;
@@ -52,6 +50,10 @@ std::string written(const std::function<void(std::ostream&)>& write) {
   std::ostringstream out;
   write(out);
   return out.str();
+}
+
+std::string evaluations_of(const DesignProblem& problem, const sizing::Archive& archive) {
+  return written([&](std::ostream& out) { formats::write_evaluations(out, problem.study(), archive.records()); });
 }
 
 // Writes the files of an answer into a folder, all or none.
@@ -82,10 +84,7 @@ class SizeAnswer {
     if (!result_.best) return std::nullopt;
     return formats::found_design_text(problem_, result_, *after_.best);
   }
-  [[nodiscard]] std::string evaluations() const {
-    return written(
-        [&](std::ostream& out) { formats::write_evaluations(out, problem_.study(), result_.archive.records()); });
-  }
+  [[nodiscard]] std::string evaluations() const { return evaluations_of(problem_, result_.archive); }
   void write(const std::string& path) const {
     write_folder(path, [&](text::OutputFolder& folder) { formats::write_size(folder, problem_, report()); });
   }
@@ -96,9 +95,8 @@ class SizeAnswer {
   sizing::AfterSearch after_;
 };
 
-std::shared_ptr<SizeAnswer> size(const Study& study, const SearchWords& words, bool answer_only) {
-  const DesignProblem problem(
-      study_with(study, words, answer_only, 1, 1, "must be one for size (pareto takes two or three)"));
+std::shared_ptr<SizeAnswer> size(const Study& study, const py::dict& words, bool answer_only) {
+  const DesignProblem problem(study_with(study, words, answer_only, formats::objectives_of_size));
   return interruptible([&](const std::stop_token& stop) {
     sizing::SearchOptions search = problem.study().search;
     search.stop = stop;
@@ -126,10 +124,7 @@ class Front {
   [[nodiscard]] std::string table() const {
     return written([&](std::ostream& out) { formats::write_front(out, problem_.study(), result_.front); });
   }
-  [[nodiscard]] std::string evaluations() const {
-    return written(
-        [&](std::ostream& out) { formats::write_evaluations(out, problem_.study(), result_.archive.records()); });
-  }
+  [[nodiscard]] std::string evaluations() const { return evaluations_of(problem_, result_.archive); }
   void write(const std::string& path) const {
     write_folder(
         path, [&](text::OutputFolder& folder) { formats::write_pareto(folder, problem_.study(), result_, broken_); });
@@ -142,8 +137,8 @@ class Front {
   std::vector<sizing::BrokenPartLimit> broken_;
 };
 
-std::shared_ptr<Front> pareto(const Study& study, const SearchWords& words) {
-  const DesignProblem problem(study_with(study, words, true, 2, 3, "must be two or three for pareto (size takes one)"));
+std::shared_ptr<Front> pareto(const Study& study, const py::dict& words) {
+  const DesignProblem problem(study_with(study, words, true, formats::objectives_of_pareto));
   return interruptible([&](const std::stop_token& stop) {
     sizing::SearchOptions search = problem.study().search;
     search.stop = stop;
@@ -209,9 +204,9 @@ class SweepAnswer {
   std::vector<sizing::BrokenPartLimit> broken_{};
 };
 
-std::shared_ptr<SweepAnswer> sweep(const Study& study, const SearchWords& words, std::size_t sample,
+std::shared_ptr<SweepAnswer> sweep(const Study& study, const py::dict& words, std::size_t sample,
                                    bool latin_hypercube) {
-  const DesignProblem problem(study_with(study, words, true, 1, 3, "must be one to three for sweep"));
+  const DesignProblem problem(study_with(study, words, true, formats::objectives_of_sweep));
   std::optional<sizing::DesignSample> drawn;
   if (sample > 0)
     drawn = {.sampling = latin_hypercube ? sizing::Sampling::latin_hypercube : sizing::Sampling::random,

@@ -2,7 +2,15 @@
 
 #include <pybind11/pybind11.h>
 
+#include <stdexcept>
+
 namespace coilwright::python {
+
+/// An actuator that can be built and has no performance at its operating point: coilwright.NoPerformance.
+class NoPerformanceError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// Adds to the module what its file of that name binds; what Python sees is in coilwright/_core.pyi.
 ///@{

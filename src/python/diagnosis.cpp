@@ -112,10 +112,10 @@ py::tuple plan(const Planned& planned, const Actuator& actuator, const std::vect
 
 // (dataset.json, the text of each file by its name)
 py::tuple twin(const Actuator& actuator, const Planned& planned, const std::vector<std::string>& hidden,
-               std::uint64_t seed) {
+               std::uint64_t seed, const actuator::EffectCatalogue& known) {
   const formats::DeclaredActuator rig = rig_of(actuator, {}, measurement::replay::Tolerances::exact());
-  std::vector<actuator::Effect> effects;
-  for (const std::string& each : hidden) effects.push_back(formats::parse_effect(each));
+  const std::vector<actuator::Effect> effects =
+      formats::parse_hidden_effects(hidden, rig.model.build({}), actuator.origin, known);
   const auto runs = interruptible([&](const std::stop_token&) {
     return measurement::planning::simulate_experiment(planned.experiment, rig.model, effects, seed);
   });
@@ -157,7 +157,8 @@ void bind_diagnosis(py::module_& module) {
              py::arg("as_written"), py::arg("effects"), py::arg("progress"));
   module.def("plan", &plan, py::arg("planned"), py::arg("actuator"), py::arg("calibrate"), py::arg("exact"),
              py::arg("seed"), py::arg("threads"));
-  module.def("twin", &twin, py::arg("actuator"), py::arg("planned"), py::arg("hidden"), py::arg("seed"));
+  module.def("twin", &twin, py::arg("actuator"), py::arg("planned"), py::arg("hidden"), py::arg("seed"),
+             py::arg("effects"));
   module.def("report", &report, py::arg("folder"), py::arg("file"));
 }
 

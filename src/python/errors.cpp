@@ -5,7 +5,6 @@
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "python/bindings.hpp"
-#include "python/no_performance.hpp"
 
 namespace coilwright::python {
 namespace {

@@ -1,18 +1,14 @@
-#include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "coilwright/formats/actuator/pair_file.hpp"
 #include "coilwright/magnetics/forces.hpp"
-#include "coilwright/magnetics/overlap.hpp"
-#include "coilwright/text/input_error.hpp"
 #include "coilwright/text/input_text.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "python/bindings.hpp"
@@ -73,33 +69,11 @@ class Poses {
   std::size_t count_;
 };
 
-text::InputError refusal(const Pair& pair, std::string rule) {
-  return text::InputError({.file = pair.origin, .rule = std::move(rule)});
-}
-
 // Only coils and magnets of the axial kind have a force where they overlap.
 bool needs_room(const std::vector<Body>& bodies) {
   for (const Body& body : bodies)
     if (!magnetics::is_axial(body)) return true;
   return false;
-}
-
-void require_apart(const Pair& pair, const std::vector<Body>& bodies, std::size_t pose) {
-  const Body& last = bodies.back();
-  for (std::size_t i = 0; i + 1 < bodies.size(); ++i) {
-    if (magnetics::is_axial(bodies[i]) && magnetics::is_axial(last)) continue;
-    if (magnetics::overlap(magnetics::shape_of(bodies[i]), magnetics::shape_of(last),
-                           magnetics::seen_from(bodies[i].pose, last.pose)))
-      throw refusal(pair, fmt::format("must have {} and {} apart: in pose {} they are in the same place, where the "
-                                      "force on a magnet's faces means nothing",
-                                      pair.file.names[i], pair.file.names.back(), pose));
-  }
-}
-
-void require_finite(const Pair& pair, const magnetics::Forces& forces, std::size_t pose) {
-  for (const magnetics::Wrench& each : forces.on)
-    if (!each.force.allFinite() || !each.torque.allFinite())
-      throw refusal(pair, fmt::format("pose {}: the force is beyond what can be computed", pose));
 }
 
 // Six numbers a body: the force, N, and the torque, N mm.
@@ -108,9 +82,8 @@ void fill(const Pair& pair, const Poses& poses, std::size_t first, std::size_t l
   const bool check = needs_room(bodies);
   for (std::size_t i = first; i < last; ++i) {
     bodies.back().pose = poses.at(i);
-    if (check) require_apart(pair, bodies, i);
-    const magnetics::Forces forces = magnetics::forces(bodies, pair.file.plate);
-    require_finite(pair, forces, i);
+    if (check) formats::require_apart(pair.file, bodies, i == 0 ? 0 : bodies.size() - 1, i, pair.origin);
+    const magnetics::Forces forces = formats::forces_on(pair.file, bodies, i, pair.origin);
     for (const magnetics::Wrench& each : forces.on) {
       for (int k = 0; k < 3; ++k) *out++ = each.force[k];
       for (int k = 0; k < 3; ++k) *out++ = each.torque[k] * millimetres;

@@ -23,13 +23,11 @@ namespace {
 namespace py = pybind11;
 using simulation::CommandedInput;
 using simulation::ModelInput;
-using simulation::State;
 
-// A command, and whether it is a step, which begins without current; every other one begins at rest under its first
-// sample.
 struct Command {
   CommandedInput input;
-  bool is_step{};
+  simulation::Start start{};
+  std::optional<std::string> recorded_in{};  // what errors call it; nothing: it is taken as it is
 };
 
 struct Motion {
@@ -39,7 +37,7 @@ struct Motion {
 
 Command step(double current, double duration, double interval) {
   return {.input = simulation::step_command({.current = current, .duration = duration, .interval = interval}),
-          .is_step = true};
+          .start = simulation::Start::no_current};
 }
 
 Command sine(const std::array<double, 3>& shape, double duration, double interval) {
@@ -51,27 +49,24 @@ Command sine(const std::array<double, 3>& shape, double duration, double interva
 }
 
 // Arrays come as the text of a table, so that one reader checks columns and units, wherever they are from.
-Command table(const std::string& text, const std::string& origin, std::optional<double> interval) {
+Command table(const std::string& text, const std::string& origin, std::optional<double> interval, bool as_written) {
   CommandedInput input = formats::parse_commanded_input(text, origin);
-  return {.input = interval ? simulation::sampled_at_least_every(input, *interval) : std::move(input)};
-}
-
-State start_of(const actuator::Model& model, const ModelInput& input, bool is_step) {
-  const std::optional<State> start =
-      is_step ? simulation::state_at_rest(model, model.all_coils(0.0), mechanics::JointVector::Zero(model.joints()))
-              : simulation::equilibrium_at_first_input(model, input);
-  if (!start) throw std::runtime_error("has no stable pose under the first input to start from");
-  return *start;
+  return {.input = interval ? simulation::sampled_at_least_every(input, *interval) : std::move(input),
+          .recorded_in = as_written ? std::nullopt : std::optional(origin)};
 }
 
 struct Stopped {};
 
-simulation::RecordedMotion record(const actuator::Model& model, const Command& command, const std::stop_token& stop) {
+simulation::RecordedMotion record(const Actuator::Driven& driven, const Command& command, const std::string& origin,
+                                  const std::stop_token& stop) {
+  const auto& [model, coil] = driven;
   const ModelInput input = simulation::model_input(model, command.input);
+  if (command.recorded_in) formats::require_bearable(command.input, input, coil, *command.recorded_in);
   const auto heed_stop = [&](double) {
     if (stop.stop_requested()) throw Stopped{};
   };
-  return simulation::record_motion(model, input, start_of(model, input, command.is_step), {.progress = heed_stop});
+  return simulation::record_motion(model, input, start_of(model, input, command.start, origin),
+                                   {.progress = heed_stop});
 }
 
 py::array_t<double> rows_of(const Command& command, const simulation::RecordedMotion& motion, std::size_t columns) {
@@ -84,11 +79,11 @@ py::array_t<double> rows_of(const Command& command, const simulation::RecordedMo
 }
 
 Motion simulate(const Actuator& actuator, const Command& command) {
-  const actuator::Model model = actuator.model();
+  const Actuator::Driven driven = actuator.driven();
   try {
     const simulation::RecordedMotion motion =
-        interruptible([&](const std::stop_token& stop) { return record(model, command, stop); });
-    std::vector<std::string> columns = formats::columns_of_motion(command.input, model.joints());
+        interruptible([&](const std::stop_token& stop) { return record(driven, command, actuator.origin, stop); });
+    std::vector<std::string> columns = formats::columns_of_motion(command.input, driven.first.joints());
     py::array_t<double> rows = rows_of(command, motion, columns.size());
     return {.columns = std::move(columns), .rows = std::move(rows)};
   } catch (const std::invalid_argument& misfit) {
@@ -102,7 +97,7 @@ void bind_motion(py::module_& module) {
   py::class_<Command>(module, "Command")
       .def_static("step", &step, py::arg("current"), py::arg("duration"), py::arg("interval"))
       .def_static("sine", &sine, py::arg("shape"), py::arg("duration"), py::arg("interval"))
-      .def_static("table", &table, py::arg("text"), py::arg("origin"), py::arg("interval"));
+      .def_static("table", &table, py::arg("text"), py::arg("origin"), py::arg("interval"), py::arg("as_written"));
   module.def(
       "simulate",
       [](const Actuator& actuator, const Command& command) {

@@ -7,81 +7,46 @@
 #include <utility>
 #include <vector>
 
-#include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
 #include "coilwright/simulation/choice_effects.hpp"
 #include "coilwright/simulation/part_limits.hpp"
 #include "coilwright/text/input_error.hpp"
-#include "coilwright/units/unit.hpp"
 #include "python/actuator.hpp"
 #include "python/bindings.hpp"
 #include "python/json_objects.hpp"
-#include "python/no_performance.hpp"
 
 namespace coilwright::python {
 namespace {
 
 namespace py = pybind11;
+using formats::OperatingWords;
 using simulation::OperatingPoint;
 
-// What a caller says of the operating point; the rest is that of the actuator's file.
-struct Asked {
-  std::optional<double> current, duty, grasp_opening_deg, grasp_height_mm, supply_resistance, supply_voltage;
-  std::optional<bool> in_series;
-};
-
-actuator::GraspPoint grasp_of(actuator::GraspPoint grasp, const Asked& asked) {
-  if (asked.grasp_opening_deg) grasp.opening = units::to_memory(*asked.grasp_opening_deg, "grasp_opening_deg");
-  if (asked.grasp_height_mm) grasp.height = units::to_memory(*asked.grasp_height_mm, "grasp_height_mm");
-  return grasp;
-}
-
-text::InputError fault(const Actuator& actuator, std::string rule) {
-  return text::InputError({.file = actuator.origin, .rule = std::move(rule)});
-}
-
-OperatingPoint point_of(const Actuator& actuator, const Asked& asked) {
-  OperatingPoint point = actuator.content.operating_point.value_or(OperatingPoint{});
-  if (!asked.current && !actuator.content.operating_point)
-    throw fault(actuator, "has no operating_point: give a current");
-  point.current = asked.current.value_or(point.current);
-  point.duty = asked.duty.value_or(point.duty);
-  point.grasp = grasp_of(point.grasp, asked);
-  if (asked.in_series) point.supply.wiring = *asked.in_series ? actuator::Wiring::series : actuator::Wiring::parallel;
-  point.supply.resistance = asked.supply_resistance.value_or(point.supply.resistance);
-  if (asked.supply_voltage) point.supply.voltage = asked.supply_voltage;
-  return point;
-}
-
-Performance evaluate_design(const Actuator& actuator, const actuator::Design& design, const Asked& asked) {
-  const OperatingPoint point = point_of(actuator, asked);
-  if (point.supply.wiring == actuator::Wiring::series && !has_one_current(design))
-    throw fault(actuator,
-                "must be wired in parallel: the coils have shares of the current, and in series there is one");
+Performance evaluate_design(const Actuator& actuator, const actuator::Design& design, const OperatingPoint& point) {
   try {
     return Performance(simulation::evaluate(design, point));
   } catch (const std::invalid_argument& mistake) {
-    throw fault(actuator, mistake.what());
+    throw text::InputError({.file = actuator.origin, .rule = mistake.what()});
   } catch (const std::runtime_error& reason) {
     throw NoPerformanceError(actuator.origin + ": " + reason.what());
   }
 }
 
-Performance evaluate_model(const Actuator& actuator, const actuator::Model& model, const Asked& asked) {
-  if (!asked.current) throw fault(actuator, "has no operating_point: give a current");
-  const auto result = simulation::motion_of(model, *asked.current, grasp_of({}, asked));
+Performance evaluate_model(const Actuator& actuator, const actuator::Model& model, const OperatingPoint& point) {
+  const auto result = simulation::motion_of(model, point.current, point.grasp);
   if (const auto* why = std::get_if<simulation::NoPerformance>(&result))
     throw NoPerformanceError(actuator.origin + ": " + why->reason);
-  return Performance(LumpedPerformance{std::get<simulation::MotionSummary>(result), *asked.current});
+  return Performance(LumpedPerformance{std::get<simulation::MotionSummary>(result), point.current});
 }
 
-Performance evaluate(const Actuator& actuator, const Asked& asked) {
+Performance evaluate(const Actuator& actuator, const OperatingWords& said) {
   const py::gil_scoped_release others_run;
+  const OperatingPoint point = formats::operating_point_of(actuator.content, said, actuator.origin, "give a current");
   if (const auto* design = std::get_if<actuator::Design>(&actuator.content.content))
-    return evaluate_design(actuator, *design, asked);
-  return evaluate_model(actuator, std::get<actuator::Model>(actuator.content.content), asked);
+    return evaluate_design(actuator, *design, point);
+  return evaluate_model(actuator, std::get<actuator::Model>(actuator.content.content), point);
 }
 
 text::Json json_of(const Performance& performance) {
@@ -137,21 +102,17 @@ void bind_performance(py::module_& module) {
       .def("choices", [](const Performance& self) { return to_python(formats::to_json(choices_of(self))); })
       .def_property_readonly("text", &text_of);
   module.def("quantities", &quantities);
-  module.def(
-      "evaluate",
-      [](const Actuator& actuator, std::optional<double> current, std::optional<double> duty,
-         std::optional<double> grasp_opening_deg, std::optional<double> grasp_height_mm, std::optional<bool> in_series,
-         std::optional<double> supply_resistance, std::optional<double> supply_voltage) {
-        return evaluate(actuator, {.current = current,
-                                   .duty = duty,
-                                   .grasp_opening_deg = grasp_opening_deg,
-                                   .grasp_height_mm = grasp_height_mm,
-                                   .supply_resistance = supply_resistance,
-                                   .supply_voltage = supply_voltage,
-                                   .in_series = in_series});
-      },
-      py::arg("actuator"), py::arg("current"), py::arg("duty"), py::arg("grasp_opening_deg"),
-      py::arg("grasp_height_mm"), py::arg("in_series"), py::arg("supply_resistance"), py::arg("supply_voltage"));
+  module.def("evaluate", [](const Actuator& actuator, std::optional<bool> in_series, const py::kwargs& said) {
+    const auto number = [&](const char* name) { return said[name].cast<std::optional<double>>(); };
+    OperatingWords words{.current = number("current"),
+                         .duty = number("duty"),
+                         .grasp_opening = number("grasp_opening_deg"),
+                         .grasp_height = number("grasp_height_mm"),
+                         .supply_resistance = number("supply_resistance"),
+                         .supply_voltage = number("supply_voltage")};
+    if (in_series) words.wiring = *in_series ? actuator::Wiring::series : actuator::Wiring::parallel;
+    return evaluate(actuator, words);
+  });
 }
 
 }  // namespace coilwright::python

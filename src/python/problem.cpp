@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -88,7 +89,7 @@ py::list rows_of(const std::vector<sizing::Record>& records) {
 }
 
 // (the best or the front, whether feasible, why it ended, all records)
-py::tuple search(const sizing::Problem& problem, const SearchWords& words) {
+py::tuple search(const sizing::Problem& problem, const py::dict& words) {
   sizing::SearchOptions options = options_of(words, {.afterwards = sizing::Afterwards::nothing});
   const bool several = problem.objectives.size() > 1;
   const auto found =
@@ -107,13 +108,16 @@ py::tuple search(const sizing::Problem& problem, const SearchWords& words) {
 
 }  // namespace
 
-sizing::SearchOptions options_of(const SearchWords& words, sizing::SearchOptions usual) {
-  if (words.seed) usual.seed = *words.seed;
-  if (words.max_evaluations) usual.max_evaluations = *words.max_evaluations;
-  if (words.algorithm) usual.algorithm = sizing::algorithm_named(*words.algorithm);
-  usual.threads = words.threads;
-  if (!words.progress.is_none())
-    usual.progress = [told = held(words.progress.cast<py::function>())](const sizing::Progress& now) {
+sizing::SearchOptions options_of(const py::dict& words, sizing::SearchOptions usual) {
+  const auto take = [&](auto& place, const char* name) {
+    if (!words[name].is_none()) place = words[name].cast<std::remove_reference_t<decltype(place)>>();
+  };
+  take(usual.seed, "seed");
+  take(usual.max_evaluations, "max_evaluations");
+  take(usual.threads, "threads");
+  if (!words["algorithm"].is_none()) usual.algorithm = sizing::algorithm_named(words["algorithm"].cast<std::string>());
+  if (!words["progress"].is_none())
+    usual.progress = [told = held(words["progress"].cast<py::function>())](const sizing::Progress& now) {
       const py::gil_scoped_acquire lock;
       (*told)(now.evaluations, now.max_evaluations, now.feasible, now.front_size);
     };
@@ -121,12 +125,6 @@ sizing::SearchOptions options_of(const SearchWords& words, sizing::SearchOptions
 }
 
 void bind_problem(py::module_& module) {
-  py::class_<SearchWords>(module, "SearchWords")
-      .def(py::init([](std::optional<std::uint64_t> seed, std::optional<std::size_t> max_evaluations,
-                       std::optional<std::string> algorithm, unsigned threads, py::object progress) {
-             return SearchWords{seed, max_evaluations, std::move(algorithm), threads, std::move(progress)};
-           }),
-           py::arg("seed"), py::arg("max_evaluations"), py::arg("algorithm"), py::arg("threads"), py::arg("progress"));
   py::class_<sizing::Problem>(module, "Problem")
       .def(py::init(&problem_of), py::arg("variables"), py::arg("objectives"), py::arg("constraints"),
            py::arg("function"), py::arg("start"));

@@ -1,11 +1,10 @@
-#include "python/quantities.hpp"
-
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "python/held_function.hpp"
 #include "python/performance.hpp"
+#include "python/study.hpp"
 
 namespace coilwright::python {
 namespace {

@@ -11,7 +11,6 @@
 #include "coilwright/formats/study/study_file.hpp"
 #include "python/actuator.hpp"
 #include "python/bindings.hpp"
-#include "python/quantities.hpp"
 
 namespace coilwright::python {
 namespace {
@@ -24,9 +23,11 @@ Study study_of(const std::string& text, const std::string& origin, const Actuato
   const simulation::QuantityTable table = table_with(quantities);
   std::optional<text::InputText> own;
   if (actuator != nullptr) own = {.file = actuator->origin, .text = actuator->text};
-  return {formats::parse_study(
-      text, origin,
-      {.quantities = table, .effects = effects, .changes = std::move(changes), .actuator = own ? &*own : nullptr})};
+  return {
+      .content = formats::parse_study(
+          text, origin,
+          {.quantities = table, .effects = effects, .changes = std::move(changes), .actuator = own ? &*own : nullptr}),
+      .origin = origin};
 }
 
 std::vector<std::string> names_of_variables(const Study& study) {

@@ -34,7 +34,7 @@ std::filesystem::path declared_path(const std::optional<std::filesystem::path>& 
 
 AskedDiagnosis read_asked(const std::filesystem::path& dataset, const std::optional<std::filesystem::path>& actuator,
                           std::uint64_t seed, const actuator::EffectCatalogue& effects) {
-  formats::DatasetFile set = formats::read_dataset(dataset);
+  formats::DatasetFile set = formats::read_dataset(dataset, effects);
   std::filesystem::path declared_file = declared_path(actuator, set);
   formats::DeclaredActuator declared = formats::read_declared_actuator(
       declared_file, {.names = set.calibrate, .file = set.file, .tolerances = set.tolerances}, effects);

@@ -49,6 +49,8 @@ std::string_view name_of(Drive drive) {
 }
 
 CommandedInput step_command(const StepInput& step) {
+  if (!std::isfinite(step.current))
+    throw std::invalid_argument(fmt::format("current must be finite; got {}", step.current));
   CommandedInput command{.times = sample_times(step.duration, step.interval)};
   command.rows.assign(command.times.size(), {step.current});
   return command;

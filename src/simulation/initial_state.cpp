@@ -1,5 +1,7 @@
 #include "coilwright/simulation/initial_state.hpp"
 
+#include <stdexcept>
+
 #include "coilwright/simulation/equilibrium.hpp"
 
 namespace coilwright::simulation {
@@ -24,6 +26,14 @@ std::optional<State> state_at_rest(const actuator::Model& model, const actuator:
 std::optional<State> equilibrium_at_first_input(const actuator::Model& model, const ModelInput& input) {
   return state_at_rest(model, input.currents.front(),
                        input.joint_torques.empty() ? JointVector::Zero(model.joints()) : input.joint_torques.front());
+}
+
+State start_of(const actuator::Model& model, const ModelInput& input, Start start, const std::string& who) {
+  const std::optional<State> found = start == Start::no_current
+                                         ? state_at_rest(model, model.all_coils(0.0), JointVector::Zero(model.joints()))
+                                         : equilibrium_at_first_input(model, input);
+  if (!found) throw std::runtime_error(who + ": has no stable pose under the first input to start from");
+  return *found;
 }
 
 }  // namespace coilwright::simulation

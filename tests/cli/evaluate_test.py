@@ -164,7 +164,7 @@ class Evaluate(ProgramTest):
     def test_a_supply_drives_coils_in_series_or_in_parallel(self):
         current = ("--current-A", "1.05", "--duty", "0.36", "--supply-resistance-Ohm", "0.3", "--supply-voltage-V", "12")
         self.assert_refused(("evaluate", PAPER_FINGER, *current, "--wiring", "series", "--set", "current_share_2=0.5"),
-                            "--wiring: must be parallel: the coils have shares of the current, and in series there is one")
+                            f"{PAPER_FINGER}: wiring must be parallel: the coils have shares of the current, and in series there is one")
         series = self.evaluate(PAPER_FINGER, *current, "--wiring", "series")
         parallel = self.evaluate(PAPER_FINGER, *current)
         self.assertAlmostEqual(series["supply_voltage_cold_V"], 1.05 * (2 * series["coil_resistance_Ohm"] + 0.3), places=9)

@@ -41,6 +41,8 @@ def test_records_that_cannot_be_used_are_told_without_the_folder_that_nobody_kno
     assert caught.value.file == "records/push.csv"
     with pytest.raises(cw.InputError, match="records/push.csv: .*sideways_deg"):
         cw.diagnose(cw.Records.of({"push": {"time_s": time, "current_A": time, "sideways_deg": time}}), finger)
+    with pytest.raises(cw.InputError, match="^records/dataset.json: /effect_probabilities/friction: must be called by the id"):
+        cw.diagnose(cw.Records.of(falling, effect_probabilities={"friction": 0.5}), finger)
     with pytest.raises(ValueError, match="about: has no run called pull"):
         cw.Records.of(falling, about={"pull": {}})
 
@@ -85,7 +87,8 @@ def test_an_effect_written_in_python_is_found_like_ours():
     truth = cw.Actuator.from_dict({**PENDULUM, "effects": [{"id": "stiffening", "parameters": {"k2": 0.01}}]},
                                   effects=[stiffening])
     runs = {f"swing{seed}": swing(truth, seed) for seed in range(1, 4)}
-    records = cw.Records.of(runs, about={"swing3": {"role": "validate"}}, tolerances="exact")
+    records = cw.Records.of(runs, about={"swing3": {"role": "validate"}}, tolerances="exact",
+                            effect_probabilities={"stiffening": 0.2})
     diagnosis = cw.diagnose(records, declared, effects=[stiffening])
     assert diagnosis.verdict == "explained" and list(diagnosis.effects) == ["stiffening"]
     [number] = diagnosis.effects["stiffening"]

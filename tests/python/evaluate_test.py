@@ -47,9 +47,30 @@ def test_a_runaway_raises_with_its_reason(finger):
         hot.coil_hot_spot_degC
 
 
-def test_a_path_in_place_of_an_actuator_is_told():
-    with pytest.raises(TypeError, match="actuator: must be a coilwright.Actuator, as Actuator.load gives; got 'finger.json'"):
-        cw.evaluate("finger.json", current=1)
+FASTEST = cw.Study.load("configs/studies/fastest_finger.json")
+AMPERES = {"time_s": [0, 0.1], "current_A": [0, 1400]}
+ONE_PLACE = {"bodies": [{"magnet": {"size_mm": [5, 5, 5], "remanence_T": 1}, "position_mm": [0, 0, z]} for z in (0, 2, 9)]}
+
+
+@pytest.mark.parametrize("call, error, text", [
+    (lambda _: cw.evaluate("finger.json", current=1), TypeError, "actuator: must be a coilwright.Actuator, as Actuator.load gives; got 'f"),
+    (lambda finger: cw.evaluate(finger, current=[1, 2]), TypeError, r"current: must be a number; got \[1, 2\]"),
+    (lambda finger: cw.evaluate(finger, current=1, supply_voltage=-1), cw.InputError, "finger.json: supply_voltage: must be > 0; got -1"),
+    (lambda finger: finger.replace(gap_mm=None), TypeError, "gap_mm: must be a number; got None"),
+    (lambda finger: cw.simulate(finger, sine=(1, 0)), ValueError, r"sine: must be amplitude .*; got \(1, 0\)"),
+    (lambda finger: cw.simulate(finger, input=AMPERES), cw.InputError, "input: column current_A: .* 1400 A.*: looks like milliamperes"),
+    (lambda finger: cw.simulate(finger, step=1.0)["angle_deg"], KeyError, "angle_deg: is none of the columns time_s, "),
+    (lambda finger: cw.size(finger), TypeError, "study: must be a coilwright.Study, as Study.load gives; got <"),
+    (lambda _: cw.size(FASTEST, max_evaluations=-1), ValueError, "max_evaluations: must be a whole number >= 0; got -1"),
+    (lambda _: cw.sweep(FASTEST, sample=2.5), ValueError, "sample: must be a whole number >= 0; got 2.5"),
+    (lambda _: cw.Study.load("nowhere.json"), cw.InputError, "^nowhere.json: cannot be opened: No such file or directory$"),
+    (lambda _: cw.force(cw.Pair.from_dict(ONE_PLACE)), cw.InputError, "pair: must have magnet 1 and magnet 2 apart: in pose 0"),
+    (lambda finger: cw.twin(finger, "configs/experiments/paper.json", {"rotor_inertia": {"inertia_kgm2": 1e-7}}),
+     cw.InputError, "rotor_inertia:inertia_kgm2=1e-07: cannot be in .*finger.json: coil and magnet act across the joint"),
+])
+def test_what_is_wrong_with_an_argument_is_told_by_its_name(finger, call, error, text):
+    with pytest.raises(error, match=text):
+        call(finger)
 
 
 def test_numpy_numbers_are_numbers(finger):

@@ -10,4 +10,7 @@ namespace coilwright::magnetics {
 /// the smaller body's size, or between such points, may not be seen. Precondition: a pose as wrench() takes it.
 [[nodiscard]] bool overlap(const Shape& first, const Shape& second, const Pose& pose);
 
+/// The same of two bodies where they are.
+[[nodiscard]] bool overlap(const Body& first, const Body& second);
+
 }  // namespace coilwright::magnetics

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "coilwright/actuator/model/model.hpp"
 #include "coilwright/simulation/model_input.hpp"
@@ -18,5 +19,12 @@ namespace coilwright::simulation {
 /// The state at the first sample of `input` of a run that starts at rest. Simulations, replays of measured runs and
 /// synthetic data all start here.
 [[nodiscard]] std::optional<State> equilibrium_at_first_input(const actuator::Model& model, const ModelInput& input);
+
+/// Where a simulation starts: at rest under the first sample, or, for a step from there, without current.
+enum class Start { first_input, no_current };
+
+/// That state. Throws std::runtime_error where there is none: `who` has no stable pose to start from.
+[[nodiscard]] State start_of(const actuator::Model& model, const ModelInput& input, Start start,
+                             const std::string& who);
 
 }  // namespace coilwright::simulation

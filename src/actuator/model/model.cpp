@@ -42,6 +42,7 @@ void Model::number_states() {
   internal_states_ = 0;
   drive_states_ = 0;
   camera_states_ = 0;
+  camera_filters_ = false;
   bodies_ = 0;
   for (Term& term : terms_) {
     if (term.held) continue;
@@ -50,6 +51,7 @@ void Model::number_states() {
     bodies_ += term.effect->bodies();
     if (term.stage == Stage::drive) drive_states_ = internal_states_;
     if (term.stage == Stage::camera) camera_states_ += term.effect->states();
+    camera_filters_ = camera_filters_ || (term.stage == Stage::camera && term.effect->shows());
   }
   if (bodies_ > max_bodies)
     throw std::invalid_argument(

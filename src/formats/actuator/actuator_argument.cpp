@@ -163,4 +163,20 @@ Effect parse_effect(std::string_view argument, const EffectCatalogue& known) {
   return effect;
 }
 
+std::vector<Effect> parse_hidden_effects(std::span<const std::string> arguments, const actuator::ModelSpec& nominal,
+                                         const std::string& who, const EffectCatalogue& known) {
+  std::vector<Effect> hidden;
+  for (const std::string& argument : arguments) {
+    const Effect effect = parse_effect(argument, known);
+    if (std::ranges::count(hidden, effect.kind, &Effect::kind) > 0)
+      throw argument_error(argument, "must not be there twice");
+    if (std::ranges::count(nominal.effects, effect.kind, &Effect::kind) > 0)
+      throw argument_error(argument, fmt::format("is declared in {} already", who));
+    if (const auto reason = effect.kind->inapplicable(nominal))
+      throw argument_error(argument, fmt::format("cannot be in {}: {}", who, *reason));
+    hidden.push_back(effect);
+  }
+  return hidden;
+}
+
 }  // namespace coilwright::formats

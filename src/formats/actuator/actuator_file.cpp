@@ -48,4 +48,9 @@ ActuatorFile parse_actuator(std::string_view text, std::string file, const actua
   return read_actuator_file(parse_json(text, std::move(file)), effects);
 }
 
+const actuator::Design& design_of(const ActuatorFile& file, const std::string& who, std::string_view reason) {
+  if (const auto* design = std::get_if<actuator::Design>(&file.content)) return *design;
+  throw text::InputError({.file = who, .rule = fmt::format("is a lumped model: {}", reason)});
+}
+
 }  // namespace coilwright::formats

@@ -1,6 +1,13 @@
-#include "formats/actuator/actuator_reader.hpp"
+#include <fmt/format.h>
 
+#include <string>
+#include <utility>
+
+#include "coilwright/actuator/design/current_shares.hpp"
+#include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
+#include "coilwright/units/unit.hpp"
+#include "formats/actuator/actuator_reader.hpp"
 #include "formats/actuator/choice_words.hpp"
 
 namespace coilwright::formats {
@@ -32,6 +39,31 @@ actuator::OperatingPoint read_operating_point(const Node& node) {
     read_operating_conditions(in, point);
     return point;
   });
+}
+
+actuator::OperatingPoint operating_point_of(const ActuatorFile& file, const OperatingWords& said,
+                                            const std::string& who, const std::string& cure) {
+  const auto refuse = [&](std::string rule) { return InputError({.file = who, .rule = std::move(rule)}); };
+  const auto take = [&](auto& place, std::string_view name, const std::optional<double>& value, const Rule& rule) {
+    if (!value) return;
+    if (!rule.allows(*value))
+      throw InputError(
+          {.file = who, .place = std::string(name), .rule = rule.text(), .value = fmt::format("{}", *value)});
+    place = units::to_memory(*value, name);
+  };
+  if (!said.current && !file.operating_point) throw refuse("has no operating_point: " + cure);
+  actuator::OperatingPoint point = file.operating_point.value_or(actuator::OperatingPoint{});
+  take(point.current, "current", said.current, current_rule);
+  take(point.duty, "duty", said.duty, Rule::between(0.0, 1.0));
+  take(point.grasp.opening, "grasp_opening_deg", said.grasp_opening, Rule::between(0.0, 360.0));
+  take(point.grasp.height, "grasp_height_mm", said.grasp_height, Rule::between(0.0, 1e6));
+  take(point.supply.resistance, "supply_resistance", said.supply_resistance, non_negative);
+  take(point.supply.voltage, "supply_voltage", said.supply_voltage, positive);
+  point.supply.wiring = said.wiring.value_or(point.supply.wiring);
+  const auto* design = std::get_if<actuator::Design>(&file.content);
+  if (point.supply.wiring == actuator::Wiring::series && design != nullptr && !has_one_current(*design))
+    throw refuse("wiring must be parallel: the coils have shares of the current, and in series there is one");
+  return point;
 }
 
 Json to_json(const actuator::OperatingPoint& point) {

@@ -1,7 +1,10 @@
 #include "coilwright/formats/actuator/pair_file.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
+#include "coilwright/magnetics/overlap.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "formats/actuator/actuator_reader.hpp"
@@ -105,6 +108,28 @@ PairFile read_pair(const std::filesystem::path& path) {
 
 PairFile parse_pair(std::string_view text, std::string file) {
   return read_pair_file(parse_json(text, std::move(file)));
+}
+
+void require_apart(const PairFile& file, std::span<const Body> bodies, std::size_t first, std::size_t pose,
+                   const std::string& who) {
+  for (std::size_t j = first; j < bodies.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i) {
+      if (magnetics::is_axial(bodies[i]) && magnetics::is_axial(bodies[j])) continue;
+      if (magnetics::overlap(bodies[i], bodies[j]))
+        throw InputError({.file = who,
+                          .rule = fmt::format("must have {} and {} apart: in pose {} they are in the same place, where "
+                                              "the force on a magnet's faces means nothing",
+                                              file.names[i], file.names[j], pose)});
+    }
+}
+
+magnetics::Forces forces_on(const PairFile& file, const std::vector<Body>& bodies, std::size_t pose,
+                            const std::string& who) {
+  magnetics::Forces forces = magnetics::forces(bodies, file.plate);
+  for (const magnetics::Wrench& each : forces.on)
+    if (!each.force.allFinite() || !each.torque.allFinite())
+      throw InputError({.file = who, .rule = fmt::format("pose {}: the force is beyond what can be computed", pose)});
+  return forces;
 }
 
 Json to_json(const magnetics::DrivenCoil& driven, const magnetics::CylinderMagnet& magnet,

@@ -9,7 +9,6 @@
 #include <set>
 #include <utility>
 
-#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/measurement/data/copied_runs.hpp"
 #include "coilwright/measurement/data/data_quality.hpp"
 #include "coilwright/measurement/data/hold_out.hpp"
@@ -68,9 +67,10 @@ Tolerances read_tolerances(const Node& node) {
   return out;
 }
 
-std::vector<measurement::identification::Belief> read_beliefs(const Node& node) {
+std::vector<measurement::identification::Belief> read_beliefs(const Node& node,
+                                                              const actuator::EffectCatalogue& effects) {
   std::vector<std::string> known;
-  for (const actuator::EffectKind* kind : actuator::standard_effects().kinds()) known.emplace_back(kind->id());
+  for (const actuator::EffectKind* kind : effects.kinds()) known.emplace_back(kind->id());
   std::vector<measurement::identification::Belief> out;
   for (const Node& each : node.members()) {
     if (std::ranges::find(known, each.key()) == known.end())
@@ -117,7 +117,7 @@ Dataset read_runs(const Node& node, const LayoutEntry& layout, const measurement
   return data;
 }
 
-DatasetFile read_document(const Document& document) {
+DatasetFile read_document(const Document& document, const actuator::EffectCatalogue& known) {
   return read_object(document.root(), [&](ObjectReader& in) {
     in.literal("format", "measured-data/1");
     DatasetFile out{.file = document.root().file()};
@@ -125,7 +125,7 @@ DatasetFile read_document(const Document& document) {
     if (const auto actuator = in.find_not_null("actuator")) out.actuator = actuator->path();
     out.calibrate = read_calibrate(in);
     if (const auto tolerances = in.find_not_null("tolerances")) out.tolerances = read_tolerances(*tolerances);
-    if (const auto beliefs = in.find_not_null("effect_probabilities")) out.beliefs = read_beliefs(*beliefs);
+    if (const auto beliefs = in.find_not_null("effect_probabilities")) out.beliefs = read_beliefs(*beliefs, known);
     const LayoutEntry layout = read_layout(in, {});
     const measurement::data::InputUncertainty usual = read_input_uncertainty(in);
     const Node runs = in.at("runs");
@@ -138,14 +138,14 @@ DatasetFile read_document(const Document& document) {
 
 }  // namespace
 
-DatasetFile read_dataset(const std::filesystem::path& path) {
+DatasetFile read_dataset(const std::filesystem::path& path, const actuator::EffectCatalogue& known) {
   std::error_code unreadable;
   const bool folder = std::filesystem::is_directory(path, unreadable);
-  return read_document(read_json(folder ? path / "dataset.json" : path));
+  return read_document(read_json(folder ? path / "dataset.json" : path), known);
 }
 
-DatasetFile parse_dataset(std::string_view text, std::string file) {
-  return read_document(parse_json(text, std::move(file)));
+DatasetFile parse_dataset(std::string_view text, std::string file, const actuator::EffectCatalogue& known) {
+  return read_document(parse_json(text, std::move(file)), known);
 }
 
 }  // namespace coilwright::formats

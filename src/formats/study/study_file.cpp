@@ -212,4 +212,11 @@ StudyFile parse_study_file(std::string_view text, std::string file, const StudyR
           .builds_a_system = std::ranges::any_of(root.keys(), is_block)};
 }
 
+void require_objectives(const sizing::Study& study, const ObjectiveCount& count, const std::string& file) {
+  const std::size_t given = study.objectives.size();
+  if (given < count.least || given > count.most)
+    throw InputError(
+        {.file = file, .place = "/objectives", .rule = std::string(count.rule), .value = fmt::format("{}", given)});
+}
+
 }  // namespace coilwright::formats

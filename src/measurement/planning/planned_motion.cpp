@@ -120,9 +120,7 @@ simulation::State initial_state_of(const PlannedRun& planned, const Model& model
     const Eigen::Map<const Eigen::VectorXd> angles(planned.start_angles.data(), model.joints());
     return {.angles = angles, .rates = mechanics::JointVector::Zero(model.joints())};
   }
-  if (const auto rest = simulation::equilibrium_at_first_input(model, window.input)) return *rest;
-  throw std::runtime_error(
-      fmt::format("{}: has no stable pose under the first input to start from", planned.plan.name));
+  return simulation::start_of(model, window.input, simulation::Start::first_input, planned.plan.name);
 }
 
 Eigen::VectorXd motion(const PlannedRun& planned, const replay::PreparedRun& prepared, const replay::Window& window,

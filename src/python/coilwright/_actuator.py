@@ -10,6 +10,7 @@ from typing import Any, Union
 
 from coilwright import _core
 from coilwright._effects import Effect, catalogue
+from coilwright._errors import number
 
 Path = Union[str, "os.PathLike[str]"]
 
@@ -76,7 +77,7 @@ class Actuator:
         >>> cw.Actuator.prototype().replace(gap_mm=1.2)["body"]["gap_mm"]
         1.2
         """
-        words = [f"{name}={value if isinstance(value, str) else repr(float(value))}" for name, value in numbers.items()]
+        words = [f"{name}={value if isinstance(value, str) else repr(number(name, value))}" for name, value in numbers.items()]
         return Actuator(self._core.with_assignments(words), self._effects)
 
     @property
@@ -124,10 +125,3 @@ class Actuator:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Actuator._parse, (self._core.text, self._core.origin, self._effects)
-
-
-def core_of(actuator: object) -> _core.Actuator:
-    """What C++ has of an actuator. Raises TypeError for anything else, as the path of one."""
-    if not isinstance(actuator, Actuator):
-        raise TypeError(f"actuator: must be a coilwright.Actuator, as Actuator.load gives; got {actuator!r}")
-    return actuator._core

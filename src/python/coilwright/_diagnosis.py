@@ -10,9 +10,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple, Optional, Union
 
 from coilwright import _core
-from coilwright._actuator import Actuator, Path, core_of
+from coilwright._actuator import Actuator, Path
 from coilwright._effects import Effect, catalogue
-from coilwright._errors import InputError
+from coilwright._errors import InputError, core_of
+from coilwright._results import Answer
 from coilwright._tables import Columns, Table, csv_text
 
 Hidden = Mapping[str, Mapping[str, float]]
@@ -99,7 +100,7 @@ class Estimate(NamedTuple):
     upper: Optional[float]
 
 
-class Diagnosis:
+class Diagnosis(Answer):
     """What the records say of the model: the verdict, the effects that it lacks, and how sure that is. Made by
     `diagnose`. Everything else is in `to_dict()`, whose keys are in docs/formats-diagnosis.md.
 
@@ -153,11 +154,6 @@ class Diagnosis:
         """The content of diagnosis.json."""
         return dict(self._content)
 
-    @property
-    def text(self) -> str:
-        """What the program prints."""
-        return self._core.text
-
     def write(self, folder: Path) -> None:
         """Writes the files of the program into a folder, all or none: the same bytes, but for where records of memory
         are said to be from. Raises OutputError."""
@@ -168,13 +164,6 @@ class Diagnosis:
         from coilwright import _plots
         return _plots.residuals(self, run, axes)
 
-    def __str__(self) -> str:
-        return self.text
-
-    def _repr_html_(self) -> str:
-        import html
-        return f"<pre>{html.escape(self.text)}</pre>"
-
 
 def diagnose(records: Union[Records, Path], actuator: Union[Actuator, Path, None] = None, *, seed: int = 1,
              threads: int = 0, as_written: bool = False, effects: Sequence[Effect] = (),
@@ -184,7 +173,7 @@ def diagnose(records: Union[Records, Path], actuator: Union[Actuator, Path, None
     records: in memory, or the folder of a data set. actuator: the declared one; without it the one that the folder
     names. seed: of the additional starts of fits. threads: fits at once; 0: one a core; the answer does not depend on
     it. as_written: fit records also where another unit or sign makes far more of them. effects: written in Python,
-    compared with those of Coilwright. progress: called with a line at a time. It takes seconds to minutes; Ctrl-C ends
+    compared with those of Coilwright; Records.of(.., effect_probabilities={id: 0.2}) says how probable one is beforehand. progress: called with a line at a time. It takes seconds to minutes; Ctrl-C ends
     it with KeyboardInterrupt at the next line of progress. Raises InputError for records that cannot be used.
 
     >>> import coilwright as cw
@@ -249,15 +238,15 @@ def plan(experiment: Union[Mapping[str, Any], Path], actuator: Actuator, *,
     ...     error.file
     'experiment'
     """
-    return Plan(*_core.plan(_planned(experiment, noise), core_of(actuator), list(calibrate), exact, seed, threads))
+    return Plan(*_core.plan(_planned(experiment, noise), core_of(actuator, Actuator), list(calibrate), exact, seed, threads))
 
 
 def twin(actuator: Actuator, experiment: Union[Mapping[str, Any], Path], hidden: Hidden = {}, *,
-         noise: Mapping[str, float] = {}, seed: int = 1) -> Records:
+         noise: Mapping[str, float] = {}, seed: int = 1, effects: Sequence[Effect] = ()) -> Records:
     """Synthetic records of an actuator that has effects which it does not declare.
 
-    hidden: their ids with their numbers: {"dry_friction": {"torque_Nmm": 0.6}}. Otherwise as `plan`. The same arguments
-    give the same bytes as the program's.
+    hidden: their ids with their numbers: {"dry_friction": {"torque_Nmm": 0.6}}. effects: those written in Python.
+    Otherwise as `plan`. The same arguments give the same bytes as the program's.
 
     >>> import coilwright as cw
     >>> finger = cw.Actuator.prototype()
@@ -266,15 +255,15 @@ def twin(actuator: Actuator, experiment: Union[Mapping[str, Any], Path], hidden:
     """
     words = [f"{id}:{','.join(f'{key}={float(value)!r}' for key, value in numbers.items())}".rstrip(":")
              for id, numbers in hidden.items()]
-    return Records(*_core.twin(core_of(actuator), _planned(experiment, noise), words, seed))
+    return Records(*_core.twin(core_of(actuator, Actuator), _planned(experiment, noise), words, seed, catalogue(effects)))
 
 
 def _planned(experiment: Union[Mapping[str, Any], Path], noise: Mapping[str, float]) -> _core.Planned:
     words = [f"{name}={float(value)!r}" for name, value in noise.items()]
     if isinstance(experiment, Mapping):
         return _core.Planned(json.dumps(experiment, allow_nan=False), "experiment", words)
-    with open(experiment, encoding="utf-8") as file:
-        return _core.Planned(file.read(), os.fspath(experiment), words)
+    origin = os.fspath(experiment)
+    return _core.Planned(_core.read_text(origin), origin, words)
 
 
 def report(folder: Path, file: Optional[Path] = None) -> pathlib.Path:

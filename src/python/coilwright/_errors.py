@@ -1,4 +1,6 @@
-"""What Coilwright raises beside Python's own exceptions."""
+"""What Coilwright raises beside Python's own exceptions, and arguments of another type than they must have."""
+
+from typing import Any, Optional, SupportsIndex
 
 
 class InputError(ValueError):
@@ -50,3 +52,26 @@ class NoPerformance(RuntimeError):
     ...     print(str(reason).split(";")[0])
     actuator: the step from rest does not settle: a joint folds, or it rings beyond 60 s
     """
+
+
+def number(name: str, value: Any) -> float:
+    """An argument as a number. Raises TypeError with its name where it is none."""
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: must be a number; got {value!r}") from None
+
+
+def whole(name: str, value: Optional[int]) -> Optional[int]:
+    """An argument as a whole number that is not negative, or None. Raises ValueError with its name."""
+    if value is not None and (not isinstance(value, SupportsIndex) or value < 0):
+        raise ValueError(f"{name}: must be a whole number >= 0; got {value!r}")
+    return value
+
+
+def core_of(value: Any, kind: type) -> Any:
+    """What C++ has of an argument, which is of `kind`. Raises TypeError for anything else, as the path of one."""
+    if not isinstance(value, kind):
+        name = kind.__name__
+        raise TypeError(f"{name.lower()}: must be a coilwright.{name}, as {name}.load gives; got {value!r}")
+    return value._core  # type: ignore[attr-defined]

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from coilwright import _core
 from coilwright._actuator import Path
+from coilwright._errors import core_of
 
 
 class Pair:
@@ -109,7 +110,7 @@ def force(pair: Pair, positions_mm: Optional[ArrayLike] = None, axes: Optional[A
     if axes is not None and positions_mm is None:
         raise ValueError("axes: must come with positions_mm")
     directions = none if axes is None else _rows("axes", axes, len(positions))
-    both = _core.force(pair._core, positions, directions)
+    both = _core.force(core_of(pair, Pair), positions, directions)
     return Forces(both[:, :, :3], both[:, :, 3:])
 
 

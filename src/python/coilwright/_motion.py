@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coilwright import _core
-from coilwright._actuator import Actuator, Path, core_of
-from coilwright._tables import Columns, csv_text
+from coilwright._actuator import Actuator, Path
+from coilwright._errors import core_of, number
+from coilwright._tables import Columns, csv_text, place_of
 
 
 class Motion:
@@ -33,7 +34,7 @@ class Motion:
         self._title = title
 
     def __getitem__(self, column: str) -> NDArray[np.float64]:
-        return self.rows[:, self.columns.index(column)]
+        return self.rows[:, place_of(column, self.columns)]
 
     def __len__(self) -> int:
         return len(self.rows)
@@ -53,14 +54,16 @@ class Motion:
 
 def simulate(actuator: Actuator, *, step: Optional[float] = None, sine: Optional[tuple[float, float, float]] = None,
              input: Union[Columns, Path, None] = None, duration: float = 1.0,
-             interval: Optional[float] = None) -> Motion:
+             interval: Optional[float] = None, as_written: bool = False) -> Motion:
     """The motion of an actuator under one input: a step, a sine, or a table.
 
     step: current in every coil from time 0 on, A; the actuator starts at rest without current. sine: amplitude (A),
     offset (A) and frequency (Hz) of the current; it starts at rest under the first sample. input: columns of arrays (or
     a CSV file) with time_s and current_A, or current1_A.., voltage_V, torque1_Nm..; held between samples; likewise.
     duration: of a step or a sine, s. interval: between samples, s (0.002); of an input the longest between samples.
-    bending_angle_deg is what the camera shows, if the actuator declares one; the rest as it is. Raises InputError.
+    as_written: take an input also where its current is one that no coil carries, as milliamperes for amperes.
+    bending_angle_deg is what the camera shows, if the actuator declares one; the rest as it is. Raises InputError, and
+    RuntimeError with the reason where there is no motion.
 
     >>> import numpy as np, coilwright as cw
     >>> time = np.linspace(0, 0.2, 101)
@@ -70,20 +73,22 @@ def simulate(actuator: Actuator, *, step: Optional[float] = None, sine: Optional
     """
     if sum(each is not None for each in (step, sine, input)) != 1:
         raise ValueError("give one of step, sine and input")
-    command = _command(step, sine, input, duration, interval)
-    columns, rows = _core.simulate(core_of(actuator), command)
+    command = _command(step, sine, input, number("duration", duration), None if interval is None else number("interval", interval),
+                       as_written)
+    columns, rows = _core.simulate(core_of(actuator, Actuator), command)
     return Motion(columns, rows, actuator.name)
 
 
 def _command(step: Optional[float], sine: Optional[tuple[float, float, float]], input: Union[Columns, Path, None],
-             duration: float, interval: Optional[float]) -> _core.Command:
+             duration: float, interval: Optional[float], as_written: bool) -> _core.Command:
     usual = 0.002 if interval is None else interval
     if step is not None:
-        return _core.Command.step(step, duration, usual)
+        return _core.Command.step(number("step", step), duration, usual)
     if sine is not None:
-        return _core.Command.sine(sine, duration, usual)
+        if len(sine) != 3:
+            raise ValueError(f"sine: must be amplitude (A), offset (A) and frequency (Hz); got {sine!r}")
+        return _core.Command.sine([number("sine", each) for each in sine], duration, usual)
     if isinstance(input, (str, os.PathLike)):
-        with open(input, encoding="utf-8") as file:
-            return _core.Command.table(file.read(), os.fspath(input), interval)
+        return _core.Command.table(_core.read_text(os.fspath(input)), os.fspath(input), interval, as_written)
     assert input is not None
-    return _core.Command.table(csv_text(input), "input", interval)
+    return _core.Command.table(csv_text(input), "input", interval, as_written)

@@ -6,7 +6,8 @@ import html
 from typing import Any, Optional
 
 from coilwright import _core
-from coilwright._actuator import Actuator, core_of
+from coilwright._actuator import Actuator
+from coilwright._errors import core_of, number
 from coilwright._quantities import Quantities
 
 
@@ -99,11 +100,10 @@ def evaluate(actuator: Actuator, *, current: Optional[float] = None, duty: Optio
     >>> speeds[0] < speeds[1]
     True
     """
-    asked = {name: value for name, value in dict(
+    numbers = {name: None if value is None else number(name, value) for name, value in dict(
         current=current, duty=duty, grasp_opening_deg=grasp_opening_deg, grasp_height_mm=grasp_height_mm,
-        wiring=wiring, supply_resistance=supply_resistance, supply_voltage=supply_voltage).items() if value is not None}
+        supply_resistance=supply_resistance, supply_voltage=supply_voltage).items()}
     if wiring not in (None, "parallel", "series"):
         raise ValueError(f"wiring: must be 'parallel' or 'series'; got {wiring!r}")
-    core = _core.evaluate(core_of(actuator), current, duty, grasp_opening_deg, grasp_height_mm,
-                          None if wiring is None else wiring == "series", supply_resistance, supply_voltage)
-    return Performance(core, actuator, **asked)
+    core = _core.evaluate(core_of(actuator, Actuator), None if wiring is None else wiring == "series", **numbers)
+    return Performance(core, actuator, wiring=wiring, **numbers)

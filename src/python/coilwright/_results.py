@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, Optional
 from coilwright import _core
 from coilwright._actuator import Actuator, Path
 from coilwright._effects import Effect
+from coilwright._errors import core_of, whole
 from coilwright._study import Study
 from coilwright._tables import Table
 
@@ -36,16 +37,18 @@ Listener = Callable[[Progress], object]
 
 
 def _words(seed: Optional[int], max_evaluations: Optional[int], algorithm: Optional[str], threads: int,
-           progress: Optional[Listener]) -> _core.SearchWords:
+           progress: Optional[Listener]) -> dict[str, Any]:
     def told(*numbers: int) -> None:
         assert progress is not None
         progress(Progress(*numbers))
 
-    return _core.SearchWords(seed, max_evaluations, algorithm, threads, None if progress is None else told)
+    numbers = dict(seed=seed, max_evaluations=max_evaluations, threads=threads)
+    return {**{name: whole(name, value) for name, value in numbers.items()}, "algorithm": algorithm,
+            "progress": None if progress is None else told}
 
 
-class _Answer:
-    """What all answers of a study can do."""
+class Answer:
+    """What all answers can do."""
 
     _core: Any
 
@@ -71,7 +74,7 @@ class _Answer:
         return f"<pre>{html.escape(self.text)}</pre>"
 
 
-class _Designs(_Answer):
+class _Designs(Answer):
     """Designs of an answer as actuators, by index."""
 
     def __len__(self) -> int:
@@ -90,7 +93,7 @@ class _Designs(_Answer):
         return Table(self._core.table())
 
 
-class Sized(_Answer):
+class Sized(Answer):
     """What `size` found.
 
     >>> import coilwright as cw
@@ -185,7 +188,7 @@ def size(study: Study, *, seed: Optional[int] = None, max_evaluations: Optional[
     30
     """
     words = _words(seed, max_evaluations, algorithm, threads, progress)
-    return Sized(_core.size(study._core, words, answer_only), study._effects)
+    return Sized(_core.size(core_of(study, Study), words, answer_only), study._effects)
 
 
 def pareto(study: Study, *, seed: Optional[int] = None, max_evaluations: Optional[int] = None,
@@ -196,7 +199,7 @@ def pareto(study: Study, *, seed: Optional[int] = None, max_evaluations: Optiona
     >>> cw.pareto(cw.Study.load("configs/studies/speed_against_grip.json"), max_evaluations=30)[0].is_design
     True
     """
-    core = _core.pareto(study._core, _words(seed, max_evaluations, algorithm, threads, progress))
+    core = _core.pareto(core_of(study, Study), _words(seed, max_evaluations, algorithm, threads, progress))
     return Front(core, study.objectives)
 
 
@@ -211,4 +214,4 @@ def sweep(study: Study, *, sample: int = 0, sampling: str = "latin_hypercube", s
     if sampling not in ("latin_hypercube", "random"):
         raise ValueError(f"sampling: must be 'latin_hypercube' or 'random'; got {sampling!r}")
     words = _words(seed, None, None, threads, None)
-    return Swept(_core.sweep(study._core, words, sample, sampling == "latin_hypercube"))
+    return Swept(_core.sweep(core_of(study, Study), words, whole("sample", sample) or 0, sampling == "latin_hypercube"))

@@ -79,17 +79,23 @@ def _variable(name: str, values: Range) -> tuple[str, str, float, float, float]:
 def _batch(function: Callable[[Numbers], Numbers], inputs: list[str], outputs: list[str],
            vectorised: bool) -> Callable[[NDArray[np.float64]], NDArray[np.float64]]:
     def together(points: NDArray[np.float64]) -> NDArray[np.float64]:
-        answers = function(dict(zip(inputs, points.T)))
+        answers = _mapping(function(dict(zip(inputs, points.T))), outputs)
         return np.column_stack([np.broadcast_to(answers[name], len(points)) for name in outputs])
 
     def one_by_one(points: NDArray[np.float64]) -> NDArray[np.float64]:
         rows = []
         for point in points.tolist():
-            answer = function(dict(zip(inputs, point)))
+            answer = _mapping(function(dict(zip(inputs, point))), outputs)
             rows.append([float(answer[name]) for name in outputs])
         return np.array(rows)
 
     return together if vectorised else one_by_one
+
+
+def _mapping(answer: Numbers, outputs: list[str]) -> Numbers:
+    if not isinstance(answer, Mapping) or not answer.keys() >= {*outputs}:
+        raise KeyError(f"the function must give each of {', '.join(outputs)} by name; got {answer!r}")
+    return answer
 
 
 def _row(inputs: list[str], outputs: list[str], record: _core.Record) -> dict[str, float]:

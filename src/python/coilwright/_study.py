@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, Optional, Union
 from coilwright import _core
 from coilwright._actuator import Actuator, Path
 from coilwright._effects import Effect, catalogue
+from coilwright._errors import number
 from coilwright._performance import Performance
 
 
@@ -61,8 +62,8 @@ class Study:
         >>> cw.Study.load("configs/studies/fastest_finger.json", set={"/constraints/3/at_most": 60}).limits[3]
         'mass_g <= 60'
         """
-        with open(path, encoding="utf-8") as file:
-            return cls(file.read(), os.fspath(path), actuator, _assignments(set), quantities, effects)
+        origin = os.fspath(path)
+        return cls(_core.read_text(origin), origin, actuator, _assignments(set), quantities, effects)
 
     @classmethod
     def from_dict(cls, content: Mapping[str, Any], actuator: Optional[Actuator] = None, *,
@@ -113,6 +114,7 @@ def _assignments(changes: Mapping[str, Union[float, str]]) -> list[str]:
 
 def _row(quantity: Quantity) -> tuple[str, str, float, Callable[[_core.Performance], Optional[float]]]:
     def value(core: _core.Performance) -> Optional[float]:
-        return quantity.function(Performance(core))
+        given = quantity.function(Performance(core))
+        return None if given is None else number(f"quantity {quantity.name}: its function", given)
 
     return quantity.name, quantity.meaning, quantity.scale, value

@@ -57,7 +57,8 @@ class Table:
         """A row as a dict, or a column as an array: of numbers (nan where there is none) or of texts."""
         if isinstance(key, int):
             return {name: _value(field) for name, field in zip(self._names, self._rows[key])}
-        return _column([row[self._names.index(key)] for row in self._rows])
+        place = place_of(key, self._names)
+        return _column([row[place] for row in self._rows])
 
     def __iter__(self) -> Iterator[dict[str, Value]]:
         return (self[i] for i in range(len(self)))
@@ -73,6 +74,13 @@ class Table:
     def text(self) -> str:
         """As the program writes it: CSV."""
         return self._text
+
+
+def place_of(column: str, columns: list[str]) -> int:
+    """Its place among columns. Raises KeyError that names them."""
+    if column not in columns:
+        raise KeyError(f"{column}: is none of the columns {', '.join(columns)}")
+    return columns.index(column)
 
 
 def _value(field: str) -> Value:

@@ -123,6 +123,8 @@ class EffectTerm {
   /// Camera: turns the joints' angles (rad) and rates (rad/s) into those shown, before any scale or offset. Writes the
   /// slopes of its states where they are wanted.
   virtual void show(InternalStateView own, mechanics::JointVector& angles, mechanics::JointVector& rates) const;
+  /// Camera: whether that changes anything; an effect without states says so.
+  [[nodiscard]] virtual bool shows() const { return states() > 0; }
   /// Camera: what it shows of an angle, rad.
   [[nodiscard]] virtual double observed(double angle) const { return angle; }
   /// Camera: how long ago the motion was that it shows now, s; below zero where records are stamped too early.

@@ -138,8 +138,8 @@ class Model {
   /// states of the effects.
   [[nodiscard]] ShownMotion shown(const mechanics::JointVector& angles, const mechanics::JointVector& rates,
                                   std::span<const double> internal) const;
-  /// Whether shown() may differ from the motion: the camera has states of its own.
-  [[nodiscard]] bool camera_filters() const noexcept { return camera_states_ > 0; }
+  /// Whether shown() may differ from the motion: EffectTerm::shows().
+  [[nodiscard]] bool camera_filters() const noexcept { return camera_filters_; }
   /// What the camera shows of an angle, rad: of the bending angle, or of a single joint's.
   [[nodiscard]] double observed(double angle) const;
   /// How long ago the motion was that the camera shows now, s; below zero where records are stamped too early.
@@ -186,6 +186,7 @@ class Model {
   int internal_states_ = 0;
   int drive_states_ = 0;
   int camera_states_ = 0;
+  bool camera_filters_ = false;
   int bodies_ = 0;
 };
 

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "coilwright/actuator/design/design.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
+#include "coilwright/actuator/model/model_spec.hpp"
 
 namespace coilwright::formats {
 
@@ -18,5 +22,11 @@ namespace coilwright::formats {
 /// `dry_friction:torque_Nmm=-1: must be >= 0`.
 [[nodiscard]] actuator::Effect parse_effect(std::string_view argument,
                                             const actuator::EffectCatalogue& known = actuator::standard_effects());
+
+/// Such effects that `nominal`, of the actuator called `who`, is to have without declaring them. Throws InputError also
+/// where one is there twice, declared already, or cannot be in that model.
+[[nodiscard]] std::vector<actuator::Effect> parse_hidden_effects(
+    std::span<const std::string> arguments, const actuator::ModelSpec& nominal, const std::string& who,
+    const actuator::EffectCatalogue& known = actuator::standard_effects());
 
 }  // namespace coilwright::formats

@@ -30,4 +30,23 @@ struct ActuatorFile {
 [[nodiscard]] ActuatorFile parse_actuator(std::string_view text, std::string file,
                                           const actuator::EffectCatalogue& effects = actuator::standard_effects());
 
+/// The design of `file`. Throws InputError with `reason` where that is a lumped model; `who` names it.
+[[nodiscard]] const actuator::Design& design_of(const ActuatorFile& file, const std::string& who,
+                                                std::string_view reason);
+
+/// What a caller says of an operating point, over what the actuator's file says; nothing: as there.
+struct OperatingWords {
+  std::optional<double> current{}, duty{};    ///< A; 1
+  std::optional<double> grasp_opening{};      ///< degrees
+  std::optional<double> grasp_height{};       ///< mm
+  std::optional<actuator::Wiring> wiring{};   ///< of the coils
+  std::optional<double> supply_resistance{};  ///< ohm
+  std::optional<double> supply_voltage{};     ///< V
+};
+
+/// The operating point of `file`, called `who`, with these. Throws InputError where a number breaks its rule, where
+/// neither has a current (`cure` says how to give one), and where coils with shares of the current are in series.
+[[nodiscard]] actuator::OperatingPoint operating_point_of(const ActuatorFile& file, const OperatingWords& said,
+                                                          const std::string& who, const std::string& cure);
+
 }  // namespace coilwright::formats

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coilwright/magnetics/body.hpp"
+#include "coilwright/magnetics/forces.hpp"
 #include "coilwright/magnetics/plate.hpp"
 #include "coilwright/text/json/json.hpp"
 
@@ -47,6 +48,16 @@ struct PairFile {
 
 /// The same for a text in memory; `file` is the name its errors carry.
 [[nodiscard]] PairFile parse_pair(std::string_view text, std::string file);
+
+/// Throws InputError of the pair called `who` where one of `bodies`, which are those of the file in pose number `pose`,
+/// from `first` on is in the same place as one before it, and the force there would mean nothing: all but coils and
+/// round magnets magnetised along their axis.
+void require_apart(const PairFile& file, std::span<const magnetics::Body> bodies, std::size_t first, std::size_t pose,
+                   const std::string& who);
+
+/// The forces on these bodies. Throws InputError where they are beyond what can be computed.
+[[nodiscard]] magnetics::Forces forces_on(const PairFile& file, const std::vector<magnetics::Body>& bodies,
+                                          std::size_t pose, const std::string& who);
 
 /// A coil and a magnet with the poses of the magnet as the file of the command `force`: read back, they are the same.
 [[nodiscard]] text::Json to_json(const magnetics::DrivenCoil& coil, const magnetics::CylinderMagnet& magnet,

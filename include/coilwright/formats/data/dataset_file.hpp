@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/measurement/data/dataset.hpp"
 #include "coilwright/measurement/identification/posterior.hpp"
 #include "coilwright/measurement/replay/tolerances.hpp"
@@ -29,11 +30,14 @@ struct DatasetFile {
 /// Reads a measured-data/1 set: its dataset.json (or the folder of it) and every CSV file it names. Validate runs are
 /// read, so that a fault of their files is told at once, but nothing is concluded from their numbers: warnings, and
 /// refusals of what cannot be right, are about fit and still runs only. A set that names no validate run has some held
-/// out by measurement::data::with_runs_held_out(). Throws InputError naming file, place and rule.
-[[nodiscard]] DatasetFile read_dataset(const std::filesystem::path& path);
+/// out by measurement::data::with_runs_held_out(). Effects that it names are of `known`. Throws InputError naming file,
+/// place and rule.
+[[nodiscard]] DatasetFile read_dataset(const std::filesystem::path& path,
+                                       const actuator::EffectCatalogue& known = actuator::standard_effects());
 
 /// The same for the text of a dataset.json; its runs' files count from the folder of `file`.
-[[nodiscard]] DatasetFile parse_dataset(std::string_view text, std::string file);
+[[nodiscard]] DatasetFile parse_dataset(std::string_view text, std::string file,
+                                        const actuator::EffectCatalogue& known = actuator::standard_effects());
 
 /// A run and whether fits must not see it.
 struct RunWithRole {

@@ -1,9 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 
+#include "coilwright/actuator/assemble.hpp"
 #include "coilwright/simulation/commanded_input.hpp"
+#include "coilwright/simulation/model_input.hpp"
 
 namespace coilwright::formats {
 
@@ -14,5 +18,10 @@ namespace coilwright::formats {
 
 /// The same for a text in memory; `file` is the name its errors carry.
 [[nodiscard]] simulation::CommandedInput parse_commanded_input(std::string_view text, std::string_view file);
+
+/// Throws InputError of `file` for a current that no coil carries, as milliamperes taken for amperes: `coil` is that of
+/// a design.
+void require_bearable(const simulation::CommandedInput& command, const simulation::ModelInput& input,
+                      const std::optional<actuator::CoilElectrics>& coil, const std::string& file);
 
 }  // namespace coilwright::formats

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -55,5 +56,18 @@ struct StudyFile {
 
 /// The same with that.
 [[nodiscard]] StudyFile parse_study_file(std::string_view text, std::string file, const StudyReading& reading = {});
+
+/// How many objectives a command takes.
+struct ObjectiveCount {
+  std::size_t least{};
+  std::size_t most{};
+  std::string_view rule;  ///< end of a sentence
+};
+inline constexpr ObjectiveCount objectives_of_size{1, 1, "must be one for size (pareto takes two or three)"};
+inline constexpr ObjectiveCount objectives_of_pareto{2, 3, "must be two or three for pareto (size takes one)"};
+inline constexpr ObjectiveCount objectives_of_sweep{1, 3, "must be one to three for sweep"};
+
+/// Throws InputError of the study's `file` where it has another number of objectives.
+void require_objectives(const sizing::Study& study, const ObjectiveCount& count, const std::string& file);
 
 }  // namespace coilwright::formats

@@ -41,6 +41,18 @@ struct Explanation {
   double probability{};  // over that of all that are left
 };
 
+// Nothing where numbers make no model, or no motion.
+template <typename Make>
+auto if_possible(const Make& make) -> std::optional<decltype(make())> {
+  try {
+    return make();
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
 // A run with its times, and what perfect instruments show of it: channel after channel, SI.
 struct Seen {
   data::Run run;
@@ -54,16 +66,12 @@ std::optional<Seen> seen_by(const fit::Hypothesis& hypothesis, const VectorXd& n
   run.plan.clock = {};
   run.plan.hold = {};
   run.input_rate = 0.0;
-  try {
+  return if_possible([&] {
     const Model model(replay::on_changed_rig(hypothesis.spec_at(numbers), run.plan.rig));
     data::Run seen = with_inputs(run, model);
     VectorXd values = true_values(run, seen, {}, hypothesis.declared(), model);
     return Seen{.run = std::move(seen), .values = std::move(values)};
-  } catch (const std::runtime_error&) {
-    return std::nullopt;
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
+  });
 }
 
 // What a hypothesis with these numbers reads, over the noise; nothing if it cannot be simulated.
@@ -102,7 +110,7 @@ double accuracy_of_bench(double current, const Explanation& explanation) {
 
 Readings bench_readings(double current, double accuracy) {
   return [=](const fit::Hypothesis& hypothesis, const VectorXd& numbers) -> std::optional<VectorXd> {
-    return VectorXd(bench_torques(current, hypothesis, numbers) / accuracy);
+    return if_possible([&]() -> VectorXd { return bench_torques(current, hypothesis, numbers) / accuracy; });
   };
 }
 

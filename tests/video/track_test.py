@@ -58,6 +58,16 @@ class Track(FilmTest):
         # The finger of this film begins at 5 degrees, where the paper's does not rest.
         self.assertRegex(diagnosis.stderr, r"\Awarning: step.csv: bending_angle_deg begins [^\n]*\n\Z")
 
+    def test_a_rest_that_compression_holds_is_no_still_run(self):
+        # At 240 pictures a second a coarse picture is copied with its errors: it scatters, and not from one to the next.
+        moves = [(time, 5 + damped_step(time, 0.4, 30)) for time, _ in STEP]
+        for crf, still in {0: True, 23: False}.items():
+            self.render("step.mp4", {**SMALL, "rate": 240, "duration": 0.7, "crf": crf}, moves)
+            answer = self.track("step.mp4", "--out", f"data{crf}")
+            self.assertEqual(f"data{crf}/step_still.csv" in self.files(), still)
+            self.assertEqual("compression has smoothed the pictures before it moves: they do not show the noise, and are "
+                             "no still run" in " ".join(answer["guessed"]), not still)
+
     def test_the_same_film_gives_the_same_bytes(self):
         self.render("step.mp4", {**SMALL, "duration": 0.3}, STEP)
         self.track("step.mp4", "--out", "one")

@@ -72,12 +72,16 @@ double rms(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, values.size())));
 }
 
-double scatter(const std::vector<double>& values) {
+// Whether each reading is nearly the one before: neighbours are correlated by more than 3/4.
+bool repeat_each_other(const std::vector<double>& values) {
   double mean = 0.0;
   for (const double value : values) mean += value / static_cast<double>(values.size());
-  double sum = 0.0;
-  for (const double value : values) sum += (value - mean) * (value - mean);
-  return std::sqrt(sum / static_cast<double>(values.size()));
+  double squares = 0.0, differences = 0.0;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    squares += (values[i] - mean) * (values[i] - mean);
+    differences += (values[i] - values[i - 1]) * (values[i] - values[i - 1]);
+  }
+  return 0.5 * differences < 0.25 * squares;
 }
 
 // Keeps the samples from `first` to before `last`.
@@ -100,6 +104,8 @@ void add_still(FilmRuns& out, const FingerMotion& motion, const std::string& nam
           count, std::ranges::lower_bound(out.motion.times, tag.samples[still].time) - out.motion.times.begin());
   }
   constexpr std::size_t fewest = 30;
+  constexpr std::size_t begun = 3;  // the last pictures may have seen it begin
+  count -= std::min(count, begun);
   if (count < fewest) {
     out.why_no_still =
         fmt::format("{} pictures before it moves are too few for a still run; {} are enough", count, fewest);
@@ -110,8 +116,9 @@ void add_still(FilmRuns& out, const FingerMotion& motion, const std::string& nam
   still.name = name + "_still.csv";
   still.kind = RunKind::still;
   keep(still, sigmas, 0, count);
-  // Compression holds a picture in which nothing moves, with its errors: that is not the noise of a motion.
-  if (scatter(still.channels.front().values) < 0.5 * rms(out.sigmas)) {
+  // Compression holds a picture in which nothing moves, with its errors, from one to the next: that is not the noise of
+  // a motion.
+  if (repeat_each_other(still.channels.front().values)) {
     out.why_no_still =
         "compression has smoothed the pictures before it moves: they do not show the noise, and are no still run";
     return;

@@ -110,6 +110,13 @@ class Diagnose(ProgramTest):
                      cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertEqual({path.name for path in (self.folder / "again").glob("*.csv")}, set(files))
+        # On the rig it tells what it promises.
+        for hidden in ("base_tilt:angle_deg=3", "angle_offset:angle_deg=-2.4"):
+            run("twin", "rod.json", "--experiment", "out/next_experiment.json", "--out", "set", "--force", "--effect", hidden,
+                cwd=self.folder)
+            self.diagnose("told", "--quiet", "--force")
+            odds = self.result("told/diagnosis.json")["odds"]["effects"]
+            self.assertGreater(odds[hidden.split(":")[0]], 0.95)
         result = run("plan", "out/next_experiment.json", "--actuator", "rod.json", "--json", cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertTrue(any(each["visible"] for each in json.loads(result.stdout)["effects"]))

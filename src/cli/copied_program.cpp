@@ -44,7 +44,8 @@ void copy_whole(const fs::path& from, const fs::path& to) {
   std::ifstream source(from, std::ios::binary);
   if (!source) throw text::InputError({.file = from.string(), .rule = "cannot be opened"});
   text::OutputFile copy(to);
-  copy.stream() << source.rdbuf();
+  if (source.peek() != std::ifstream::traits_type::eof())
+    copy.stream() << source.rdbuf();  // nothing would be a failure
   copy.commit();
   fs::permissions(to, fs::status(from).permissions(), error);
 }

@@ -1,5 +1,7 @@
 #include "coilwright/formats/actuator/actuator_file.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "coilwright/text/json/document.hpp"

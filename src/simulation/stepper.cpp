@@ -1,10 +1,13 @@
 #include "stepper.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace coilwright::simulation {
 namespace {
@@ -17,6 +20,13 @@ PackedState pack(const State& state) {
   values.insert(values.end(), state.internal.data(), state.internal.data() + state.internal.size());
   return values;
 }
+
+// Of what a drive's lag leaves in the motion, s: a slower one is as smooth as the motion.
+constexpr double slowest_transient = 2e-3;
+
+// The currents, then the torques of one row.
+constexpr std::size_t largest_input = std::size_t{actuator::CoilCurrents::MaxRowsAtCompileTime} +
+                                      std::size_t{mechanics::JointVector::MaxRowsAtCompileTime};
 
 // Of a drive's state and in its unit: nearer than this to where it ends is there. Below the error of a step.
 constexpr double drive_tolerance = 1e-10;
@@ -72,7 +82,6 @@ void Stepper::split_fading() {
   for (std::size_t i = 0; i < lags; ++i)
     fading[first + i] = values_[first + i] - drive_end_[static_cast<Eigen::Index>(i)];
   drive_end_.resize(0);
-  constexpr double slowest_transient = 2e-3;  // s; a slower one is as smooth as the motion
   PackedState there(values_.size(), 0.0);
   PackedState bent(values_.size(), 0.0);
   for (int i = 0; i < 2 && lag_ < slowest_transient; ++i) {
@@ -96,6 +105,7 @@ double Stepper::fading_share(double time) const {
 // `values` and what has not faded yet.
 PackedState Stepper::whole(PackedState values, double time) const {
   if (!fading_.empty()) add_fading(values, fading_share(time));
+  if (lagged_) set_drive(values, time);
   return values;
 }
 
@@ -104,16 +114,46 @@ void Stepper::add_fading(PackedState& values, double share) const {
 }
 
 void Stepper::derive(const PackedState& values, PackedState& slopes, double time) const {
-  if (fading_.empty()) {
+  if (fading_.empty() && !lagged_) {
     derive_whole(values, slopes, time);
     return;
   }
-  const double share = fading_share(time);
-  PackedState with(values);
-  add_fading(with, share);
-  derive_whole(with, slopes, time);
-  add_fading(slopes, share / lag_);
+  derive_whole(whole(values, time), slopes, time);
+  if (!fading_.empty()) add_fading(slopes, fading_share(time) / lag_);
   std::fill_n(slopes.data() + 2 * model_.joints(), model_.drive_states(), 0.0);
+}
+
+Stepper::Input Stepper::input_at(double time) const {
+  Input out{.currents = actuator::CoilCurrents(model_.coils()), .applied = mechanics::JointVector(model_.joints())};
+  std::array<double, largest_input> row;
+  const std::span<double> used = std::span(row).first(curve_->width());
+  curve_->at(time, used);
+  std::copy_n(used.begin(), model_.coils(), out.currents.data());
+  if (static_cast<int>(used.size()) > model_.coils())
+    std::copy_n(used.begin() + model_.coils(), model_.joints(), out.applied.data());
+  else
+    out.applied.setZero();
+  return out;
+}
+
+// The same closed form under a curve (algebra::LaggedCurve). What the states tend to is a curve through what they tend
+// to at its rows: the terms before them in the drive may bend it.
+void Stepper::follow_curve() {
+  const int lags = model_.drive_states();
+  const std::span<const double> times = curve_->times();
+  std::vector<double> ends;
+  for (std::size_t row = 0; row < times.size(); ++row) {
+    const actuator::InternalStates settled =
+        model_.settled(mechanics::JointVector::Zero(model_.joints()), input_at(times[row]).currents);
+    ends.insert(ends.end(), settled.data(), settled.data() + lags);
+  }
+  const double* first = values_.data() + 2 * model_.joints();
+  lagged_.emplace(algebra::SmoothCurve(times, ends, static_cast<std::size_t>(lags)), lag_,
+                  std::span(first, static_cast<std::size_t>(lags)));
+}
+
+void Stepper::set_drive(PackedState& values, double time) const {
+  lagged_->at(time, {values.data() + 2 * model_.joints(), static_cast<std::size_t>(model_.drive_states())});
 }
 
 void Stepper::derive_whole(const PackedState& values, PackedState& slopes, double time) const {
@@ -127,14 +167,8 @@ void Stepper::derive_whole(const PackedState& values, PackedState& slopes, doubl
     model_.derivative(angles, rates, {values.data() + 2 * n, count}, currents, applied, accelerations,
                       {slopes.data() + 2 * n, count});
   };
-  if (growth_) {
-    const double since = time - start_time_;
-    Input now{.currents = input_.currents + since * growth_->per_second.currents,
-              .applied = input_.applied + since * growth_->per_second.applied};
-    if (growth_->per_second_squared) {
-      now.currents += since * since * growth_->per_second_squared->currents;
-      now.applied += since * since * growth_->per_second_squared->applied;
-    }
+  if (curve_) {
+    const Input now = input_at(time);
     under(now.currents, now.applied);
   } else {
     under(input_.currents, input_.applied);
@@ -143,9 +177,10 @@ void Stepper::derive_whole(const PackedState& values, PackedState& slopes, doubl
   std::copy_n(accelerations.data(), n, slopes.data() + n);
 }
 
-void Stepper::start(double time, const State& state, Input input, std::optional<Growth> growth) {
+void Stepper::start(double time, const State& state, Input input, std::optional<algebra::SmoothCurve> curve) {
   input_ = std::move(input);
-  growth_ = std::move(growth);
+  curve_ = std::move(curve);
+  lagged_.reset();
   start_time_ = time;
   time_ = previous_time_ = time;
   values_ = pack(state);
@@ -153,9 +188,14 @@ void Stepper::start(double time, const State& state, Input input, std::optional<
   derive_whole(values_, slopes_, time_);
   fading_.clear();
   drive_end_.resize(0);
-  if (model_.drive_states() > 0 && !growth_)
+  if (model_.drive_states() > 0 && !curve_)
     drive_end_ = model_.settled(state.angles, input_.currents).head(model_.drive_states());
-  if (lag_ > 0.0 && !growth_) split_fading();
+  if (lag_ > 0.0 && !curve_) split_fading();
+  // A slower lag is as smooth as the motion, and costs no steps.
+  if (lag_ > 0.0 && lag_ <= slowest_transient && curve_) {
+    follow_curve();
+    std::fill_n(slopes_.data() + 2 * model_.joints(), model_.drive_states(), 0.0);
+  }
   previous_values_ = values_;
   previous_slopes_ = slopes_;
   // What was at rest has taken long steps, and its motion now is another one. Shorter ones find their way themselves.
@@ -225,7 +265,7 @@ void Stepper::step() {
   previous_values_ = values_;
   previous_slopes_ = slopes_;
   previous_time_ = time_;
-  const double frequency = contact_changed_ || growth_ || model_.has_terms() ? 0.0 : contact_frequency();
+  const double frequency = contact_changed_ || curve_ || model_.has_terms() ? 0.0 : contact_frequency();
   contact_changed_ = false;
   last_was_stiff_ = false;
   if (frequency == 0.0 || !step_stiffly(frequency)) step_explicitly();

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "coilwright/actuator/model/model.hpp"
+#include "coilwright/algebra/lagged_curve.hpp"
+#include "coilwright/algebra/smooth_curve.hpp"
 #include "coilwright/simulation/state.hpp"
 #include "frozen_contact.hpp"
 #include "rosenbrock_step.hpp"
@@ -27,7 +29,7 @@ struct boost::numeric::odeint::is_resizeable<coilwright::simulation::PackedState
 
 namespace coilwright::simulation {
 
-/// The model's equation of motion under an input that is constant or grows (Growth), in steps of Dormand and Prince's
+/// The model's equation of motion under an input that is constant or follows a curve, in steps of Dormand and Prince's
 /// 5(4) pair (Boost.Odeint), and of a Rosenbrock method while faces are pressed together that would ring faster than
 /// the motion changes.
 class Stepper {
@@ -35,11 +37,6 @@ class Stepper {
   struct Input {
     actuator::CoilCurrents currents;  ///< A
     mechanics::JointVector applied;   ///< N m
-  };
-  /// An input that grows from what it is at the start: by so much a second, and a second squared.
-  struct Growth {
-    Input per_second;
-    std::optional<Input> per_second_squared{};  ///< nothing: evenly
   };
   /// Allowed error of one step in every state x: absolute + relative (|x| + h |dx/dt|).
   struct Tolerance {
@@ -59,8 +56,9 @@ class Stepper {
 
   /// Starts anew at `time` from `state`; keeps the last step size as a first guess.
   void start(double time, const State& state, Input input) { start(time, state, std::move(input), std::nullopt); }
-  /// The same under an input that grows; steps are explicit then.
-  void start(double time, const State& state, Input input, std::optional<Growth> growth);
+  /// The same under an input that follows a curve: the currents, then the torques
+  /// if there are any. Steps are explicit then.
+  void start(double time, const State& state, Input input, std::optional<algebra::SmoothCurve> curve);
   /// One accepted step; the span it covered is [previous_time(), time()]. It ends where faces meet or part, so that no
   /// jump of the torques lies inside. A motion that has become infinite is accepted as it is: look at now().
   void step();
@@ -103,9 +101,12 @@ class Stepper {
   void approach_drive_end();
   void rest_drive();
   void split_fading();
+  void follow_curve();
+  [[nodiscard]] Input input_at(double time) const;
   [[nodiscard]] double fading_share(double time) const;
   [[nodiscard]] PackedState whole(PackedState values, double time) const;
   void add_fading(PackedState& values, double share) const;
+  void set_drive(PackedState& values, double time) const;
   [[nodiscard]] double first_contact() const;  // in the last step; its end if there is none
   [[nodiscard]] double first_step() const;
   void derive(const PackedState& values, PackedState& slopes, double time) const;
@@ -115,7 +116,8 @@ class Stepper {
   const actuator::Model& model_;
   Controlled controlled_;
   Input input_;
-  std::optional<Growth> growth_;
+  std::optional<algebra::SmoothCurve> curve_;
+  std::optional<algebra::LaggedCurve> lagged_;  // the drive's states under the curve; nothing where they are integrated
   double start_time_ = 0.0;
   // Where the drive's states end under the held input; empty once they are there, and for a model without any.
   Eigen::VectorXd drive_end_;

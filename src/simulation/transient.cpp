@@ -45,27 +45,20 @@ Stepper::Input input_at(const actuator::Model& model, const ModelInput& signal, 
                                                   : signal.joint_torques[sample]};
 }
 
-// How it grows from one sample to another that ends its piece, where it goes straight from there.
-std::optional<Stepper::Growth> growth_between(const actuator::Model& model, const ModelInput& signal, std::size_t first,
-                                              std::size_t last) {
+// Its curve from one sample to another that ends its piece; nothing where it is held there.
+std::optional<algebra::SmoothCurve> curve_between(const actuator::Model& model, const ModelInput& signal,
+                                                  std::size_t first, std::size_t last) {
   if (!signal.goes_straight(first)) return std::nullopt;
-  const double duration = signal.times[last] - signal.times[first];
-  const Stepper::Input from = input_at(model, signal, first);
-  const Stepper::Input to = input_at(model, signal, last);
-  const auto slope = [](const Stepper::Input& a, const Stepper::Input& b, double time) {
-    return Stepper::Input{.currents = (b.currents - a.currents) / time, .applied = (b.applied - a.applied) / time};
-  };
-  Stepper::Growth out{.per_second = slope(from, to, duration)};
-  if (last == first + 1) return out;
-  // Newton's divided differences over the first, the middle and the last row.
-  const std::size_t middle = first + (last - first) / 2;
-  const double until_middle = signal.times[middle] - signal.times[first];
-  const Stepper::Input early = slope(from, input_at(model, signal, middle), until_middle);
-  const Stepper::Input bend = slope(early, out.per_second, duration - until_middle);
-  out.per_second = {.currents = early.currents - until_middle * bend.currents,
-                    .applied = early.applied - until_middle * bend.applied};
-  out.per_second_squared = bend;
-  return out;
+  const bool has_torques = !signal.joint_torques.empty();
+  const auto width = static_cast<std::size_t>(model.coils() + (has_torques ? model.joints() : 0));
+  std::vector<double> values;
+  values.reserve(width * (last + 1 - first));
+  const auto add = [&](const auto& row) { values.insert(values.end(), row.data(), row.data() + row.size()); };
+  for (std::size_t row = first; row <= last; ++row) {
+    add(signal.currents[row]);
+    if (has_torques) add(signal.joint_torques[row]);
+  }
+  return algebra::SmoothCurve(std::span(signal.times).subspan(first, last + 1 - first), values, width);
 }
 
 // Whether b only goes on with what is held at a.
@@ -163,7 +156,7 @@ std::vector<State> simulate_at(const actuator::Model& model, const ModelInput& i
     std::size_t last = sample + 1;
     while (last + 1 < input.times.size() && (same_input(input, sample, last) || input.passes(last))) ++last;
     const double end = input.times[last];
-    stepper.start(input.times[sample], now, input_at(model, input, sample), growth_between(model, input, sample, last));
+    stepper.start(input.times[sample], now, input_at(model, input, sample), curve_between(model, input, sample, last));
     RestWatch rest(model, stepper, accuracy.relative);
     const bool may_rest = accuracy.ends_at_rest && !input.goes_straight(sample) && !model.has_slow_states();
     const double limit = std::min(all_steps + step_limit(model, end - input.times[sample]), accuracy.most_steps);

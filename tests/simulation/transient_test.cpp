@@ -7,6 +7,8 @@
 #include <initializer_list>
 #include <numbers>
 
+#include "coilwright/actuator/assemble.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/simulation/initial_state.hpp"
 #include "simulation/reference.hpp"
 
@@ -163,8 +165,8 @@ TEST(Simulate, GoesStraightBetweenSamplesWhereTheInputDoes) {
                       [&](int parts) { return simulate(model, stairs_of(parts), start, fine).back(); });
 }
 
-// A parabola through rows that are passed is the limit of straight lines between ever more of them.
-TEST(Simulate, PassesRowsOnAParabolaWithoutACorner) {
+// A smooth curve through rows that are passed, here a parabola, is the limit of straight lines between ever more.
+TEST(Simulate, PassesRowsWithoutACorner) {
   const Model model = finger(Configuration::B).model;
   const State start{.angles = rest_of(model), .rates = straight(model)};
   const auto input = [&](int parts, bool passed) {
@@ -183,6 +185,39 @@ TEST(Simulate, PassesRowsOnAParabolaWithoutACorner) {
   EXPECT_LT(largest_difference(simulate(model, input(7, true), start, fine).back(), end), 1e-8);
   expect_second_order(end, {25, 50, 100, 200},
                       [&](int parts) { return simulate(model, input(parts, false), start, fine).back(); });
+}
+
+// The closed form of a short lag under a curve, and the integrator's own way with a longer one, are the limit of the
+// closed form under ever finer steps.
+TEST(Simulate, KnowsTheLagOfACurrentThatFollowsACurve) {
+  for (const double lag : {3e-4, 1.9e-3, 5e-3}) {
+    actuator::Design design;
+    design.layout = actuator::layout_of(Configuration::B);
+    design.effects = {{actuator::standard_effects().find("coil_lag"), {lag}}};
+    const Model model = actuator::assemble_or_throw(design).model;
+    const State start{.angles = rest_of(model), .rates = straight(model)};
+    const auto current = [](double time) { return 0.7 + 0.5 * std::sin(40.0 * time); };
+    ModelInput curve;
+    for (int k = 0; k <= 100; ++k) {
+      curve.times.push_back(0.001 * k);
+      curve.currents.push_back(model.all_coils(current(curve.times.back())));
+      curve.straight.push_back(k < 100 ? 1 : 0);
+      curve.passed.push_back(k > 0 && k < 100 ? 1 : 0);
+    }
+    const Accuracy fine{.relative = 1e-9};
+    const State end = simulate(model, curve, start, fine).back();
+    expect_second_order(end, {100, 200, 400}, [&](int parts) {
+      ModelInput stairs;
+      for (int k = 0; k <= parts; ++k) {
+        stairs.times.push_back(0.1 * k / parts);
+        stairs.currents.push_back(model.all_coils(current(0.1 * (k + 0.5) / parts)));
+      }
+      State first = start;
+      first.internal = actuator::InternalStates::Constant(model.internal_states(), current(0.0));
+      return simulate(model, stairs, first, fine).back();
+    });
+    EXPECT_NEAR(end.internal[0], simulate(model, curve, start, {.relative = 1e-6}).back().internal[0], 1e-5);
+  }
 }
 
 TEST(Simulate, RefusesToPassWhereTheInputIsHeld) {

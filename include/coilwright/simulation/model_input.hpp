@@ -19,9 +19,8 @@ struct ModelInput {
   std::vector<char> straight{};
 
   /// A row a time: whether the input passes this row without a corner, so that no integration needs to stop there. From
-  /// a row that has none of it to the next such one the input is the parabola through both and the row in the middle of
-  /// those between them (by their number), and goes straight where there are none. Empty: nowhere. Only rows to and
-  /// from which it goes straight may be passed so.
+  /// a row that has none of it to the next such one the input is the smooth curve through both and all rows between
+  /// them (algebra::SmoothCurve). Empty: nowhere. Only rows to and from which it goes straight may be passed so.
   std::vector<char> passed{};
 
   /// Whether it goes straight from row `row`.

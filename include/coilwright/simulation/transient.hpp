@@ -29,11 +29,10 @@ struct Accuracy {
 /// The state at every sample of `input`, from `start` at the first; the states of effects, where `start` has none,
 /// as a recorded run finds them there under the first input (InitialHistory::recorded_run). Dormand-Prince 5(4) with
 /// dense output (Boost.Odeint), and Rodas5P while faces are pressed together and no effects act; a lag that is all the
-/// drive's states (EffectTerm::lag) is taken in closed form where the input is held. The steps do not see the samples
-/// unless the input changes there, or goes straight from there. Throws
-/// std::invalid_argument for an input that does not fit the model, std::runtime_error naming the time where the motion
-/// cannot be followed (a joint beyond 180 degrees, or more than 1e6 steps between two changes of the input, 1e5 a
-/// second added where effects have states).
+/// drive's states (EffectTerm::lag) is taken in closed form where the input is held or goes along a curve. The steps do
+/// not see the samples unless the input has a step or a corner there. Throws std::invalid_argument for an input that
+/// does not fit the model, std::runtime_error naming the time where the motion cannot be followed (a joint beyond 180
+/// degrees, or more than 1e6 steps between two changes of the input, 1e5 a second added where effects have states).
 [[nodiscard]] std::vector<State> simulate(const actuator::Model& model, const ModelInput& input, const State& start,
                                           const Accuracy& accuracy = {});
 

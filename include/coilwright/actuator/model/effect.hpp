@@ -93,7 +93,8 @@ class EffectTerm {
   /// Drive: turns the currents that enter into those that leave.
   virtual void drive(InternalStateView own, CoilCurrents& currents) const;
   /// Drive: the time constant T of a lag, s, where the states are the currents that leave, x' = (entering - x) / T: an
-  /// integrator then knows them in closed form while the command is held. 0: states of any other kind.
+  /// integrator then knows them in closed form while the command is held, or follows a curve. 0: states of any other
+  /// kind.
   [[nodiscard]] virtual double lag() const { return 0.0; }
   /// Magnetics: `strength` are the effective currents, in proportion to the force (a weaker magnet is a smaller
   /// current).

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "coilwright/algebra/smooth_curve.hpp"
+
+namespace coilwright::algebra {
+
+/// What a first-order lag makes of a curve: x' = (u(t) - x) / T, in closed form. On each of the cubics of u it is the
+/// polynomial u - T u' + T^2 u'' - T^3 u''' and a part that fades as exp(-t / T).
+class LaggedCurve {
+ public:
+  /// Of `entering` by the lag T (s, > 0; rounding grows as the cube of T over the time between rows: 1e-13 of the curve
+  /// at ten times it), from `start` at the first row, one value for each of the curve's.
+  LaggedCurve(SmoothCurve entering, double lag, std::span<const double> start);
+
+  /// Writes the values at a time from that of the first row on, s.
+  void at(double time, std::span<double> out) const;
+
+ private:
+  [[nodiscard]] double following(std::size_t interval, std::size_t column, double since) const;
+
+  SmoothCurve entering_;
+  double lag_;
+  std::vector<double> fading_;  // at the rows, less the last one
+};
+
+}  // namespace coilwright::algebra

@@ -23,19 +23,16 @@ struct InputRows {
   std::vector<double> half_widths{};   ///< of the edge with which a row begins, s; 0 where it begins at a known time
   std::vector<InputRow> bends{};       ///< what a smooth curve has more than the row
   std::vector<char> straight{};        ///< whether the input goes straight to the next row instead of being held
+  std::vector<char> smooth{};          ///< whether that is part of a smooth curve; straight as well
 
   /// At a time from that of row `row` to that of the next one, s.
   [[nodiscard]] InputRow at(std::size_t row, double time) const;
 };
 
 /// The rows of a run's input as its `hold` says: steps, straight lines, or lines with edges somewhere between two
-/// samples. A smoothed reading (clean.sigma > 0) of a held input goes straight through the middles of its steps.
+/// samples. Where samples are close enough, a smooth curve that moves a finger as the steps (through their middles) or
+/// the lines do, so that no integration has to stop at each sample.
 [[nodiscard]] InputRows input_rows(const data::Run& run, const CleanInput& clean);
-
-/// Rows of an input that goes straight where `straight` says so, at which an integration need not stop: up to 32 in a
-/// piece that lies on a parabola within `most`. Empty: none.
-[[nodiscard]] std::vector<char> passed_rows(const std::vector<double>& times, const std::vector<InputRow>& rows,
-                                            const std::vector<char>& straight, double most);
 
 /// The largest change of a column from one row to another.
 [[nodiscard]] double size_of_step(const InputRow& from, const InputRow& to);

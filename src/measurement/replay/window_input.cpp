@@ -18,10 +18,6 @@ using Row = InputRow;
 // Less than this share of what the input does in a window is no bend.
 constexpr double least_bend = 0.003;
 
-// A row that is off a parabola by less than this share of what the input does in a window is no corner: an angle of 50
-// deg is then 5e-4 deg off at most.
-constexpr double least_corner = 1e-5;
-
 // The input reaches so far beyond the samples for each standard deviation of the clocks.
 constexpr double clock_deviations = 4.0;
 // And always so far: a camera may stamp its pictures early (measurement_delay, down to -50 ms).
@@ -79,7 +75,9 @@ void set_input(Window& window, const data::Run& run, const CleanInput& clean, co
   std::vector<std::size_t> samples;  // of the input behind each row
   std::vector<double> shares;        // of the way from it to the next
   std::vector<char> straight;
-  const auto add = [&](double time, Row row, Row more, std::size_t sample, double share, bool goes_straight) {
+  std::vector<char> smooth;
+  const auto add = [&](double time, Row row, Row more, std::size_t sample, double share, bool goes_straight,
+                       bool goes_smoothly) {
     command.times.push_back(time);
     command.rows.push_back(std::move(row));
     bend.times.push_back(time);
@@ -87,9 +85,11 @@ void set_input(Window& window, const data::Run& run, const CleanInput& clean, co
     samples.push_back(sample);
     shares.push_back(share);
     straight.push_back(goes_straight ? 1 : 0);
+    smooth.push_back(goes_smoothly ? 1 : 0);
   };
   const auto add_row = [&](std::size_t row) {
-    add(all.times[row], all.rows[row], all.bends[row], all.samples[row], all.shares[row], all.straight[row] != 0);
+    add(all.times[row], all.rows[row], all.bends[row], all.samples[row], all.shares[row], all.straight[row] != 0,
+        all.smooth[row] != 0);
   };
   // What is held: straight parts are dense already.
   const auto fill_until = [&](double until) {
@@ -97,7 +97,7 @@ void set_input(Window& window, const data::Run& run, const CleanInput& clean, co
     const auto parts = static_cast<std::size_t>(std::ceil((until - from) / densest_needed - 1e-6));
     for (std::size_t k = 1; k < parts; ++k)
       add(from + (until - from) * static_cast<double>(k) / static_cast<double>(parts), Row(command.rows.back()),
-          Row(bend.rows.back()), samples.back(), shares.back(), false);
+          Row(bend.rows.back()), samples.back(), shares.back(), false, false);
   };
   // The row in force at the first sample.
   const auto after = std::upper_bound(all.times.begin(), all.times.end(), first);
@@ -106,17 +106,17 @@ void set_input(Window& window, const data::Run& run, const CleanInput& clean, co
   const bool has_begun = all.times[row] <= first;
   if (run.hold == data::InputHold::zero_order) {
     add(first, has_begun ? all.at(row, first) : all.rows[row], flat, all.samples[row], all.shares[row],
-        has_begun && all.straight[row] != 0);
+        has_begun && all.straight[row] != 0, has_begun && all.smooth[row] != 0);
   } else {
     // A run starts at rest under its first sample.
     constexpr double instant = 1e-6;  // s
     const std::vector<double>& times = run.times_of_inputs();
     const auto next = std::upper_bound(times.begin(), times.end(), first);
     const std::size_t sample = next == times.begin() ? 0 : static_cast<std::size_t>(next - times.begin()) - 1;
-    add(first, rows[sample], flat, sample, 0.0, false);
+    add(first, rows[sample], flat, sample, 0.0, false, false);
     if (has_begun)
       add(first + instant, all.at(row, first + instant), all.bends[row], all.samples[row], all.shares[row],
-          all.straight[row] != 0);
+          all.straight[row] != 0, all.smooth[row] != 0);
   }
   for (row += has_begun ? 1 : 0; row < all.times.size() && all.times[row] <= end; ++row) {
     if (all.times[row] <= command.times.back()) continue;
@@ -128,7 +128,7 @@ void set_input(Window& window, const data::Run& run, const CleanInput& clean, co
   if (command.times.back() < end) {
     fill_until(end);
     const bool was_straight = straight.back() != 0;
-    add(end, was_straight ? all.at(row - 1, end) : Row(command.rows.back()), flat, samples.back(), shares.back(),
+    add(end, was_straight ? all.at(row - 1, end) : Row(command.rows.back()), flat, samples.back(), shares.back(), false,
         false);
   }
   window.input = simulation::model_input(nominal, command);
@@ -139,9 +139,9 @@ void set_input(Window& window, const data::Run& run, const CleanInput& clean, co
   window.bend = {};
   if (largest_bend > least_bend * largest) window.bend = simulation::model_input(nominal, bend);
   if (std::ranges::find(straight, 1) != straight.end()) {
-    // A bend lies in the middle between two samples, which are corners then.
-    if (window.bend.times.empty())
-      window.input.passed = passed_rows(command.times, command.rows, straight, least_corner * largest);
+    window.input.passed.assign(smooth.size(), 0);
+    for (std::size_t i = 1; i < smooth.size(); ++i)
+      window.input.passed[i] = smooth[i - 1] != 0 && smooth[i] != 0 ? 1 : 0;
     window.input.straight = std::move(straight);
   }
   window.errors = row_errors(clean.errors, samples, shares, command, nominal);

@@ -10,6 +10,7 @@
 
 #include "coilwright/simulation/transient.hpp"
 #include "measurement/fit/hypothesis.hpp"
+#include "measurement/random_numbers.hpp"
 #include "measurement/replay/prediction.hpp"
 #include "measurement/slider_model.hpp"
 
@@ -126,36 +127,92 @@ data::Run swing_run(double frequency) {
   return run;
 }
 
-// The same by another way: every step is integrated by itself.
-TEST(WindowInput, TakesTheFineStepsOfASmoothedReadingAsTheirMiddles) {
-  const actuator::Model model = swing();
-  for (const double frequency : {0.5, 2.0, 10.0}) {
-    const data::Run run = swing_run(frequency);
-    Window exact{.range = {0, run.times.size()}};
-    Window smooth{.range = {0, run.times.size()}};
-    set_input(exact, run, {.rows = run.inputs}, model);
-    set_input(smooth, run, {.rows = run.inputs, .sigma = 1e-3}, model);
-    EXPECT_TRUE(exact.input.straight.empty());
-    ASSERT_FALSE(smooth.input.straight.empty());
-    const simulation::State start{.angles = mechanics::JointVector::Zero(1), .rates = mechanics::JointVector::Zero(1)};
-    const auto motion = [&](const Window& window) {
-      return Trajectory{.times = window.input.times,
-                        .states = simulation::simulate(model, window.input, start, {.relative = 1e-9})};
-    };
-    const Trajectory by_steps = motion(exact);
-    const Trajectory by_middles = motion(smooth);
-    double largest = 0.0;
-    double apart = 0.0;
-    for (const double time : run.times) {
-      largest = std::max(largest, std::abs(by_steps.at(time).angles[0]));
-      apart = std::max(apart, std::abs(by_steps.at(time).angles[0] - by_middles.at(time).angles[0]));
-    }
-    EXPECT_GT(largest, 1.0) << frequency;
-    // Straight lines take twice as much from a sine as holding does: (w h)^2 / 12 of it.
-    const double phase = 2.0 * std::numbers::pi * frequency * 0.002;
-    EXPECT_LT(apart, (phase * phase / 24.0 + 1e-5) * largest) << frequency;
-    EXPECT_GT(std::ranges::count(smooth.input.passed, 1), frequency < 5.0 ? 700 : 0) << frequency;
+// The largest angle of a motion under `exact`, and the largest difference that `smooth` makes, at the samples.
+struct Differences {
+  double largest{}, apart{};
+};
+
+Differences differences_of(const data::Run& run, const simulation::ModelInput& exact,
+                           const simulation::ModelInput& smooth) {
+  const simulation::State start{.angles = mechanics::JointVector::Zero(1), .rates = mechanics::JointVector::Zero(1)};
+  const auto motion = [&](const simulation::ModelInput& input) {
+    return simulation::simulate_at(swing(), input, start, run.times, {.relative = 1e-10});
+  };
+  const std::vector<simulation::State> by_samples = motion(exact);
+  const std::vector<simulation::State> by_curve = motion(smooth);
+  Differences out;
+  for (std::size_t i = 0; i < by_samples.size(); ++i) {
+    out.largest = std::max(out.largest, std::abs(by_samples[i].angles[0]));
+    out.apart = std::max(out.apart, std::abs(by_samples[i].angles[0] - by_curve[i].angles[0]));
   }
+  return out;
+}
+
+Window swing_window(const data::Run& run, double sigma) {
+  Window out{.range = {0, run.times.size()}};
+  set_input(out, run, {.rows = run.inputs, .sigma = sigma}, swing());
+  return out;
+}
+
+// The same by another way: every step, or every line, is integrated by itself. Without the terms of (w h)^2 of each the
+// curve would be off by 7e-4 and 1.3e-3 at 10 Hz.
+TEST(WindowInput, IsASmoothCurveThatMovesAFingerAsFineStepsDo) {
+  for (const double frequency : {0.5, 2.0, 10.0})
+    for (const double sigma : {0.0, 1e-3}) {
+      const data::Run run = swing_run(frequency);
+      const Window window = swing_window(run, sigma);
+      EXPECT_GT(std::ranges::count(window.input.passed, 1), 700);
+      const Differences found = differences_of(run, simulation::model_input(swing(), run.command()), window.input);
+      EXPECT_GT(found.largest, 1.0) << frequency;
+      EXPECT_LT(found.apart, 4e-5 * found.largest) << frequency;
+    }
+}
+
+TEST(WindowInput, IsASmoothCurveThatMovesAFingerAsFineLinesDo) {
+  for (const double frequency : {0.5, 2.0, 10.0}) {
+    data::Run run = swing_run(frequency);
+    run.hold = data::InputHold::linear;
+    // The step as a ramp of 50 samples, which is no edge.
+    for (std::size_t i = 0; i < run.inputs.size(); ++i)
+      run.inputs[i][0] *= std::clamp((run.times[i] - 0.2) / 0.1, 0.0, 1.0);
+    simulation::ModelInput lines = simulation::model_input(swing(), run.command());
+    lines.straight.assign(lines.times.size(), 1);
+    lines.straight.back() = 0;
+    const Window window = swing_window(run, 0.0);
+    EXPECT_GT(std::ranges::count(window.input.passed, 1), 700);
+    const Differences found = differences_of(run, lines, as_driven(window, {.edges = {}, .bend = 0.0, .errors = {}}));
+    EXPECT_GT(found.largest, 1.0) << frequency;
+    EXPECT_LT(found.apart, 4e-5 * found.largest) << frequency;
+  }
+}
+
+// A command of few steps, of uneven or of rough ones, is made step by step.
+TEST(WindowInput, KeepsStepsThatAreFewUnevenOrRough) {
+  data::Run rough = swing_run(2.0);
+  Normal normal(1);
+  for (std::vector<double>& row : rough.inputs) row[0] += 20.0 * normal();  // of 2500
+  EXPECT_TRUE(swing_window(rough, 0.0).input.straight.empty());
+  data::Run uneven = swing_run(2.0);
+  for (std::size_t i = 1; i < uneven.times.size(); i += 2) uneven.times[i] += 3e-4;
+  EXPECT_TRUE(swing_window(uneven, 0.0).input.straight.empty());
+  data::Run few = swing_run(0.5);
+  for (std::size_t i = 0; i < few.inputs.size(); ++i) few.inputs[i] = {i < 500 ? 0.0 : (i < 600 ? 1000.0 : 1100.0)};
+  EXPECT_TRUE(swing_window(few, 0.0).input.straight.empty());
+}
+
+// What an instrument rounds, and a ramp, are as smooth as they look.
+TEST(WindowInput, IsASmoothCurveOfRoundedSamplesAndOfARamp) {
+  data::Run rounded = swing_run(2.0);
+  for (std::vector<double>& row : rounded.inputs) row[0] = std::round(row[0]);  // 2500 steps of the range
+  const Window window = swing_window(rounded, 0.0);
+  EXPECT_GT(std::ranges::count(window.input.passed, 1), 700);
+  const Differences found = differences_of(rounded, simulation::model_input(swing(), rounded.command()), window.input);
+  EXPECT_LT(found.apart, 4e-5 * found.largest);
+  data::Run ramp = swing_run(2.0);
+  ramp.hold = data::InputHold::linear;
+  for (std::size_t i = 0; i < ramp.inputs.size(); ++i)
+    ramp.inputs[i] = {std::min(1000.0, 0.9 * static_cast<double>(i))};
+  EXPECT_GT(std::ranges::count(swing_window(ramp, 0.0).input.passed, 1), 1000);
 }
 
 // Steps that are long beside the motion are made one by one.

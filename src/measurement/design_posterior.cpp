@@ -88,6 +88,8 @@ DesignPosterior design_posterior(
     out.numbers.back().sd = deviations[static_cast<Eigen::Index>(i)];
   }
   out.correlation = deviations.cwiseInverse().asDiagonal() * out.correlation * deviations.cwiseInverse().asDiagonal();
+  // Rounding may take the correlation of two numbers that are one beyond 1.
+  out.correlation = out.correlation.cwiseMax(-1.0).cwiseMin(1.0).eval();
   out.correlation.diagonal().setOnes();
   return out;
 }

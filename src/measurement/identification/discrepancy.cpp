@@ -11,7 +11,22 @@ DiscrepancyFilter::DiscrepancyFilter(const Series& series, const Discrepancy& di
   const double slope_variance = variance * rate * rate;
   // Covariance of level and slope before a sample is seen; at first that of the stationary process.
   double level = variance, cross = 0.0, slope = slope_variance;
+  // Where samples are alike and evenly spaced the covariance soon stays the same, and so does the step.
+  double last_level = -1.0, last_cross = 0.0, last_slope = 0.0, last_by = -1.0, last_logarithm = 0.0;
+  const auto is_near = [](double a, double b) { return std::abs(a - b) <= 1e-11 * std::abs(b); };
+  steps_.reserve(series.set_aside.size());
   for (Eigen::Index i = 0; i < series.samples(); ++i) {
+    const bool is_seen = series.set_aside[static_cast<std::size_t>(i)] == 0;
+    if (i > 0 && is_seen && is_near(series.steps[static_cast<std::size_t>(i - 1)], last_by) &&
+        is_near(level, last_level) && is_near(cross, last_cross) && is_near(slope, last_slope)) {
+      steps_.push_back(steps_.back());
+      log_determinant_ += last_logarithm;
+      continue;
+    }
+    last_level = level;
+    last_cross = cross;
+    last_slope = slope;
+    last_by = -1.0;
     Step step{.level_of_level = 1.0, .slope_of_slope = 1.0};
     if (i > 0) {
       const double by = series.steps[static_cast<std::size_t>(i - 1)];
@@ -28,9 +43,11 @@ DiscrepancyFilter::DiscrepancyFilter(const Series& series, const Discrepancy& di
       cross = ll * sl * a + (ll * ss + ls * sl) * b + ls * ss * c;
       slope = slope_variance + sl * sl * a + 2.0 * sl * ss * b + ss * ss * c;
     }
-    if (series.set_aside[static_cast<std::size_t>(i)] == 0) {
+    if (is_seen) {
       const double innovation = level + 1.0;
-      log_determinant_ += std::log(innovation);
+      last_logarithm = std::log(innovation);
+      log_determinant_ += last_logarithm;
+      if (i > 0) last_by = series.steps[static_cast<std::size_t>(i - 1)];
       step.over_deviation = 1.0 / std::sqrt(innovation);
       step.gain_of_level = level / innovation;
       step.gain_of_slope = cross / innovation;
@@ -44,19 +61,20 @@ DiscrepancyFilter::DiscrepancyFilter(const Series& series, const Discrepancy& di
 
 void DiscrepancyFilter::whiten(
     Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> rows) const {
-  Eigen::Array<double, 1, Eigen::Dynamic> level = Eigen::Array<double, 1, Eigen::Dynamic>::Zero(rows.cols());
-  Eigen::Array<double, 1, Eigen::Dynamic> slope = level;
-  Eigen::Array<double, 1, Eigen::Dynamic> before = level;
+  const auto columns = static_cast<std::size_t>(rows.cols());
+  std::vector<double> level(columns, 0.0);
+  std::vector<double> slope(columns, 0.0);
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const Step& step = steps_[i];
-    auto row = rows.row(static_cast<Eigen::Index>(i)).array();
-    before = level;
-    level = step.level_of_level * before + step.level_of_slope * slope;
-    slope = step.slope_of_level * before + step.slope_of_slope * slope;
-    row -= level;
-    level += step.gain_of_level * row;
-    slope += step.gain_of_slope * row;
-    row *= step.over_deviation;
+    double* row = &rows(static_cast<Eigen::Index>(i), 0);
+    for (std::size_t c = 0; c < columns; ++c) {
+      const double expected = step.level_of_level * level[c] + step.level_of_slope * slope[c];
+      const double leaving = step.slope_of_level * level[c] + step.slope_of_slope * slope[c];
+      const double innovation = row[c] - expected;
+      level[c] = expected + step.gain_of_level * innovation;
+      slope[c] = leaving + step.gain_of_slope * innovation;
+      row[c] = step.over_deviation * innovation;
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "coilwright/actuator/model/effect.hpp"
@@ -12,8 +13,11 @@ namespace coilwright::measurement::identification {
 struct PlannedExtension {
   const FittedHypothesis* base{};
   std::vector<std::vector<actuator::Effect>> starts{};  ///< at least one
-  /// Tried from the declared numbers where a fit from `starts` does not show what the effect can do: see short_fit.
+  /// Tried from the declared numbers where a fit from `starts` does not show what the effect can do: see
+  /// from_other_starts.
   std::vector<std::vector<actuator::Effect>> further_starts{};
+  /// The fall of chi-square that its screening predicts; infinite where nothing is known of it.
+  double predicted_fall = std::numeric_limits<double>::infinity();
 
   /// The effects of the extended hypothesis, in an order that depends on nothing but the set.
   [[nodiscard]] std::vector<const actuator::EffectKind*> kinds() const;

@@ -286,6 +286,7 @@ class HypothesisSearch {
         starts.push_back(*known);
       }
       planned.push_back(one_more(base, starts));
+      planned.back().predicted_fall = largest_predicted_fall(kind, screened);
       if (known != singles_.end()) continue;
       // An effect of one number has one shape.
       if (kind->parameters().size() < 2) continue;

@@ -62,8 +62,10 @@ std::vector<PlannedExtension> larger_hypotheses_with_weight(const FittedSoFar& s
     if (const double promised = so_far.weight.of(base, effects, fall); promised >= least)
       promising.push_back({.log_weight = promised, .extension = {.base = &base, .starts = {effects}}});
   };
+  // What leaves noise cannot be explained better, only with more effects: no extension of what weighs next to nothing
+  // beside it will weigh more.
   for (const FittedHypothesis* base : best)
-    if (base != &so_far.before)
+    if (base != &so_far.before && so_far.weight.of(*base) >= least)
       for (const ScreenedEffect& each : so_far.screen(*base))
         consider(*base, {each.effect}, each.predicted_chi_square_fall);
   const std::size_t size = std::max<std::size_t>(2, best.front()->hypothesis.effects().size());

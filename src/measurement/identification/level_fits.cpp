@@ -132,6 +132,25 @@ std::vector<std::vector<std::vector<Effect>>> by_choices(const std::vector<std::
   return out;
 }
 
+// What the best of several short fits explains of what its base leaves, if it leaves noise where it converges (it is
+// moved there): other starts then only matter to hypotheses that may explain as much. 0 if it does not.
+double explained_by_an_answer(std::span<const replay::PreparedRun> runs, std::span<const PlannedExtension> planned,
+                              std::span<const std::size_t> places, std::span<std::optional<ShortFit>> fits) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < fits.size(); ++i)
+    if (fits[i] && (!best || fits[i]->fitted.objective() < fits[*best]->fitted.objective())) best = i;
+  if (!best) return 0.0;
+  const FittedHypothesis& base = *planned[places[*best]].base;
+  const double explained = base.fit.objective() - fits[*best]->fitted.objective();
+  constexpr double most = 0.5;  // less of what is above the noise does not leave noise
+  if (explained < most * base.chi_square_above_noise()) return 0.0;
+  MaybeFit converged = refine(runs, *fits[*best]);
+  if (!converged || !converged->whiteness.is_white()) return 0.0;
+  fits[*best]->plan.start = converged->fit.values;
+  fits[*best]->fitted = std::move(converged->fit);
+  return base.fit.objective() - fits[*best]->fitted.objective();
+}
+
 // A level whose hypotheses are moved to better optima one by one.
 class OtherOptima {
  public:
@@ -220,11 +239,22 @@ LevelFits fit_level(std::span<const replay::PreparedRun> runs, const std::vector
   std::vector<std::optional<ShortFit>> short_fits(starts.size());
   std::mutex reporting;
   std::size_t done = 0;
+  const auto tell = [&](std::size_t i) { progress(done, short_fits[i] ? &*short_fits[i] : nullptr); };
   tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) {
-    short_fits[i] = short_fit(runs, *planned[places[i]].base, starts[i], further[i], pointer_to(at_declared));
+    short_fits[i] = short_fit(runs, *planned[places[i]].base, starts[i]);
+    const std::scoped_lock lock(reporting);
+    tell(i);
+  });
+  const double worth_other_starts =
+      search_effort.worth_more_runs * explained_by_an_answer(runs, planned, places, short_fits);
+  tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) {
+    const PlannedExtension& plan = planned[places[i]];
+    if (plan.predicted_fall >= worth_other_starts)
+      short_fits[i] =
+          from_other_starts(runs, *plan.base, starts[i], further[i], pointer_to(at_declared), std::move(short_fits[i]));
     const std::scoped_lock lock(reporting);
     if (--left[places[i]] == 0) ++done;
-    progress(done, short_fits[i] ? &*short_fits[i] : nullptr);
+    tell(i);
   });
   struct Found {
     std::size_t place{};

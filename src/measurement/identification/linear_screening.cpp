@@ -128,6 +128,13 @@ std::vector<Effect> own_starts(const EffectKind* kind, std::span<const ScreenedE
   return out;
 }
 
+double largest_predicted_fall(const EffectKind* kind, std::span<const ScreenedEffect> screened) {
+  double out = 0.0;
+  for (const ScreenedEffect& each : screened)
+    if (each.guess.kind == kind) out = std::max(out, each.predicted_chi_square_fall);
+  return out;
+}
+
 std::vector<const EffectKind*> kinds_by_predicted_fall(std::span<const ScreenedEffect> screened, std::size_t count) {
   std::vector<const EffectKind*> out;
   for (const ScreenedEffect* each : best_first(screened)) {

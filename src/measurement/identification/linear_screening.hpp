@@ -43,6 +43,9 @@ struct ScreeningRequest {
 [[nodiscard]] std::vector<actuator::Effect> own_starts(const actuator::EffectKind* kind,
                                                        std::span<const ScreenedEffect> screened);
 
+/// The largest fall of chi-square that any guess of a kind predicts.
+[[nodiscard]] double largest_predicted_fall(const actuator::EffectKind* kind, std::span<const ScreenedEffect> screened);
+
 /// The kinds with the largest predicted fall of chi-square, best first, at most `count`.
 [[nodiscard]] std::vector<const actuator::EffectKind*> kinds_by_predicted_fall(std::span<const ScreenedEffect> screened,
                                                                                std::size_t count);

@@ -53,7 +53,9 @@ struct SearchEffort {
   std::size_t refined_singles = 6;
   /// Of hypotheses of one size the best two, and those that explain at least this fraction of what the best explains of
   /// the residual of the size before, are worth more runs (convergence, other starts, another effect). What explains
-  /// less is no nearer to an answer than the size before, whose combinations are tried too.
+  /// less is no nearer to an answer than the size before, whose combinations are tried too. Once a short fit has led to
+  /// noise, an effect of which the screening promises less than this fraction of what that explains gets no other
+  /// starts: the screening falls short of a true effect by factors of up to four.
   double worth_more_runs = 0.1;
   /// Number of hypotheses of one size that are extended by one more effect (beam width).
   std::size_t beam = 5;

@@ -80,30 +80,64 @@ fit::FitEffort ends_by_what_is_left(fit::FitEffort effort, const FittedHypothesi
   return effort;
 }
 
-std::optional<ShortFit> short_fit(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
-                                  std::span<const std::vector<Effect>> guesses,
-                                  std::span<const std::vector<Effect>> further, const fit::Fit* at_declared) {
-  std::optional<ShortFit> best;
-  const auto try_from = [&](const std::vector<Effect>& guess, bool declared = false,
-                            const fit::FitEffort& effort = search_effort.short_fit) {
-    PlannedFit plan = with_added_effects(base, guess);
-    if (declared) {
-      plan.start = plan.hypothesis.start();
-      plan.start.head(base.fit.values.size()) = base.hypothesis.start();
-      plan.local_numbers_from = nullptr;
-      plan.derivatives_from = nullptr;
-    }
-    fit::FitRequest request = fit_request_of(runs, plan);
-    if (declared) request.derivatives_from = at_declared;
-    request.effort = ends_by_what_is_left(effort, base);
+namespace {
+
+// Short fits of a base with effects added; the best of them.
+class ShortFits {
+ public:
+  ShortFits(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base, std::optional<ShortFit> best)
+      : runs_(runs), base_(base), best_(std::move(best)) {}
+
+  void try_from(const std::vector<Effect>& guess) {
+    take(with_added_effects(base_, guess), nullptr, search_effort.short_fit);
+  }
+  // `at_declared`: derivatives there; null: their own.
+  void try_from_declared(const std::vector<Effect>& guess, const fit::Fit* at_declared, const fit::FitEffort& effort) {
+    PlannedFit plan = with_added_effects(base_, guess);
+    plan.start = plan.hypothesis.start();
+    plan.start.head(base_.fit.values.size()) = base_.hypothesis.start();
+    plan.local_numbers_from = nullptr;
+    plan.derivatives_from = nullptr;
+    take(std::move(plan), at_declared, effort);
+  }
+
+  [[nodiscard]] const std::optional<ShortFit>& best() const { return best_; }
+  [[nodiscard]] std::optional<ShortFit> result() && { return std::move(best_); }
+
+ private:
+  void take(PlannedFit plan, const fit::Fit* derivatives, const fit::FitEffort& effort) {
+    fit::FitRequest request = fit_request_of(runs_, plan);
+    if (derivatives != nullptr) request.derivatives_from = derivatives;
+    request.effort = ends_by_what_is_left(effort, base_);
     auto fitted = fit::fit(request);
-    if (!fitted || (best && fitted->objective() >= best->fitted.objective())) return;
-    best.emplace(ShortFit{.plan = std::move(plan), .fitted = std::move(*fitted)});
-  };
-  for (const std::vector<Effect>& guess : guesses) try_from(guess);
+    if (!fitted || (best_ && fitted->objective() >= best_->fitted.objective())) return;
+    best_.emplace(ShortFit{.plan = std::move(plan), .fitted = std::move(*fitted)});
+  }
+
+  std::span<const replay::PreparedRun> runs_;
+  const FittedHypothesis& base_;
+  std::optional<ShortFit> best_;
+};
+
+}  // namespace
+
+std::optional<ShortFit> short_fit(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
+                                  std::span<const std::vector<Effect>> guesses) {
+  ShortFits fits(runs, base, std::nullopt);
+  for (const std::vector<Effect>& guess : guesses) fits.try_from(guess);
+  return std::move(fits).result();
+}
+
+std::optional<ShortFit> from_other_starts(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
+                                          std::span<const std::vector<Effect>> guesses,
+                                          std::span<const std::vector<Effect>> further, const fit::Fit* at_declared,
+                                          std::optional<ShortFit> so_far) {
+  ShortFits fits(runs, base, std::move(so_far));
+  const std::optional<ShortFit>& best = fits.best();
   // Where a missing effect has pulled declared numbers far away, the way back leads through worse models.
   if (base.hypothesis.effects().empty() && are_numbers_pulled_away(base))
-    for (const std::vector<Effect>& guess : guesses) try_from(guess, true);
+    for (const std::vector<Effect>& guess : guesses)
+      fits.try_from_declared(guess, at_declared, search_effort.short_fit);
   // The linearisation that scaled the guesses may have led where the effect has lost its shape, or to next to nothing.
   // Where a model leaves very much, most effects do next to nothing, and long records take their time; where it leaves
   // noise, most effects end absent, which is a bound.
@@ -111,14 +145,15 @@ std::optional<ShortFit> short_fit(std::span<const replay::PreparedRun> runs, con
   const double worth_a_start = search_effort.next_to_nothing * base.chi_square_above_noise();
   if (!best ||
       (is_worth_more && (ends_at_a_bound(*best) || base.fit.objective() - best->fitted.objective() < worth_a_start)))
-    for (const std::vector<Effect>& guess : further) try_from(guess, true, search_effort.own_start_fit);
+    for (const std::vector<Effect>& guess : further)
+      fits.try_from_declared(guess, at_declared, search_effort.own_start_fit);
   // A guess may be so strong that its fit diverges: it is repeated near the model without the effect.
   if (!best || best->fitted.objective() >= base.fit.objective())
     for (std::vector<Effect> guess : guesses) {
       for (Effect& effect : guess) effect = scaled_from_absent(std::move(effect), search_effort.retry_strength);
-      try_from(guess);
+      fits.try_from(guess);
     }
-  return best;
+  return std::move(fits).result();
 }
 
 std::optional<FittedHypothesis> refine(std::span<const replay::PreparedRun> runs, const ShortFit& from) {

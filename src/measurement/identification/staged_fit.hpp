@@ -33,16 +33,21 @@ struct ShortFit {
   PlannedFit plan;  ///< where it started
   fit::Fit fitted{};
 };
-/// Best result of a short fit from each of several guesses, each a set of effects that are added to `base` together;
-/// tried from the declared numbers too where `base` has no effect and its declared numbers are far off. Where the best
-/// ends with a number of an effect at its bound, or explains next to nothing of what is above the noise, from the
-/// declared numbers with each of `further` too, unless `base` leaves noise or is very far from it (SearchEffort).
-/// `at_declared` has derivatives for fits from there; null: they take their own. Nothing if none of them can be
-/// simulated. Refers to `base`.
+/// Best result of a short fit from each of several guesses, each a set of effects that are added to `base` together.
+/// Nothing if none of them can be simulated. Refers to `base`.
 [[nodiscard]] std::optional<ShortFit> short_fit(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
-                                                std::span<const std::vector<actuator::Effect>> guesses,
-                                                std::span<const std::vector<actuator::Effect>> further,
-                                                const fit::Fit* at_declared);
+                                                std::span<const std::vector<actuator::Effect>> guesses);
+
+/// The best of `so_far` and of fits from elsewhere: from the declared numbers where `base` has no effect and its
+/// declared numbers are far off. Where the best then ends with a number of an effect at its bound, or explains next to
+/// nothing of what is above the noise, from the declared numbers with each of `further` too, unless `base` leaves noise
+/// or is very far from it (SearchEffort). Where it is no better than `base`, from guesses that are next to absent.
+/// `at_declared` has derivatives for fits from there; null: they take their own. Refers to `base`.
+[[nodiscard]] std::optional<ShortFit> from_other_starts(std::span<const replay::PreparedRun> runs,
+                                                        const FittedHypothesis& base,
+                                                        std::span<const std::vector<actuator::Effect>> guesses,
+                                                        std::span<const std::vector<actuator::Effect>> further,
+                                                        const fit::Fit* at_declared, std::optional<ShortFit> so_far);
 /// Continues a short fit to convergence.
 [[nodiscard]] std::optional<FittedHypothesis> refine(std::span<const replay::PreparedRun> runs, const ShortFit& from);
 

@@ -33,6 +33,7 @@
 #include "measurement/identification/unseen_effects.hpp"
 #include "measurement/localise/localisation.hpp"
 #include "measurement/planning/informative_experiment.hpp"
+#include "measurement/records/exchanged_runs.hpp"
 #include "measurement/records/record_slips.hpp"
 #include "measurement/records/suspect_records.hpp"
 #include "measurement/replay/recorded_noise.hpp"
@@ -186,6 +187,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   out.unanswered_runs = records::unanswered_runs(usable.runs, declared);
   append(out.unanswered_runs, FinalErrors::unanswered_runs(data.validate, declared));
   append(out.warnings, out.unanswered_runs);
+  append(out.warnings, records::exchanged_runs(usable.runs, declared));
   // A finger that does not answer has no pose that could tell of the zero.
   out.far_first_pose = records::initial_pose_mismatch(runs, declared);
   if (out.far_first_pose &&

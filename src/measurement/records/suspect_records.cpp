@@ -80,6 +80,58 @@ double extent(std::vector<double> values) {
   return at(0.9) - at(0.1);
 }
 
+// That a finger falls back to its pose without current and stays there while the declared model is bent.
+struct DeadPart {
+  std::size_t first{}, last{};  // samples
+  double declared{};            // largest bend there, rad
+};
+
+// Of one angle that once moved: what a late camera shows, or a driver that is switched on late, is none. `unpowered` is
+// what the model shows without current.
+std::optional<DeadPart> dead_part(const DeclaredReadings& angle, double unpowered) {
+  constexpr double at_rest = 0.1;  // of the largest bend
+  constexpr double bent = 0.5;
+  constexpr double moved = 0.25;
+  constexpr double least_share = 0.1;  // of the run, in which it should be bent
+  const auto bend = [&](std::size_t i) { return std::abs(angle.declared[i] - unpowered); };
+  double most = 0.0;
+  for (std::size_t i = 0; i < angle.declared.size(); ++i) most = std::max(most, bend(i));
+  // Where the run begins without current, so does the record: its zero may be off.
+  const double rest = bend(0) <= at_rest * most ? first_reading(*angle.channel, angle.declared.front()) : unpowered;
+  const auto least = std::max<double>(2.0 * fewest, least_share * static_cast<double>(angle.measured.size()));
+  bool has_moved = false;
+  for (std::size_t i = 0; most >= least_motion && i < angle.measured.size(); ++i) {
+    const auto away = [&](std::size_t k) { return std::abs(angle.measured[k] - rest); };
+    has_moved = has_moved || away(i) > moved * most;
+    DeadPart part{.first = i, .last = i};
+    std::size_t bent_samples = 0;
+    for (; i < angle.measured.size() && away(i) <= at_rest * most; ++i) {
+      part.last = i;
+      part.declared = std::max(part.declared, bend(i));
+      if (bend(i) >= bent * most) ++bent_samples;
+    }
+    if (has_moved && static_cast<double>(bent_samples) >= least) return part;
+  }
+  return std::nullopt;
+}
+
+std::optional<data::Warning> dead_in_part(const data::Run& run, const DeclaredReadings& angle,
+                                          const actuator::Model& model) {
+  const auto straight = mechanics::JointVector::Zero(model.joints());
+  const auto unpowered = simulation::state_at_rest(model, model.all_coils(0.0), straight);
+  const auto pose = unpowered ? shown(model, *angle.channel, *unpowered) : std::nullopt;
+  const auto part = pose ? dead_part(angle, *pose) : std::nullopt;
+  if (!part) return std::nullopt;
+  return data::Warning{
+      .run = run.name,
+      .text = fmt::format("from {:.6g} to {:.6g} s {} stays where the finger rests without current, and the declared "
+                          "model is bent by up to {:.2g} deg there: a coil, a wire, the driver or the camera may have "
+                          "been off. If so, end the record before that: a fit would explain it by effects that are "
+                          "not there. If the current did flow, something holds the finger",
+                          run.times[part->first], run.times[part->last], angle.channel->name,
+                          units::degrees_per_radian * part->declared)};
+}
+
 }  // namespace
 
 std::optional<data::Warning> initial_pose_mismatch(std::span<const replay::PreparedRun> runs,
@@ -152,7 +204,13 @@ std::vector<data::Warning> unanswered_runs(std::span<const data::Run> runs, cons
       if (!is_angle(*angle.channel)) continue;
       const double seen = extent(angle.measured);
       const double expected = extent(angle.declared);
-      if (expected < least_motion || seen > hardly * expected) continue;
+      if (expected < least_motion || seen > hardly * expected) {
+        const actuator::Model model(replay::on_changed_rig(as_declared.spec_at(as_declared.start()), run.rig));
+        auto in_part = dead_in_part(run, angle, model);
+        if (!in_part) continue;
+        out.push_back(std::move(*in_part));
+        break;
+      }
       out.push_back({.run = run.name,
                      .text = fmt::format("{} keeps within {:.2g} deg where the declared model moves by {:.2g} deg: a "
                                          "coil, a wire, the driver or the camera may have been off. If so, leave the "

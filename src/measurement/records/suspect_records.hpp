@@ -27,8 +27,9 @@ namespace coilwright::measurement::records {
 
 /// The motions from rest in which an angle hardly moves (a twentieth of what the declared model, as it is, moves it by,
 /// both between the tenth and the ninetieth of a hundred readings in order) although the model moves it by a degree or
-/// more: as of a coil without current. A warning each, for the first angle of a run of which that is so. Long records
-/// are judged by their first window.
+/// more: as of a coil without current. And those in which an angle has moved and then stays at its pose without current
+/// (within a tenth of the largest bend) while the model is bent by half of that in a tenth of the samples or more. A
+/// warning each, for the first angle of a run of which that is so. Long records are judged by their first window.
 [[nodiscard]] std::vector<data::Warning> unanswered_runs(std::span<const data::Run> runs,
                                                          const replay::DeclaredModel& declared);
 

@@ -52,6 +52,49 @@ TEST(UnansweredRuns, AreStillFoundWherePicturesWereMisread) {
   EXPECT_EQ(warnings_of({run}).size(), 1U);
 }
 
+// A wire that comes loose: the torque goes on, and the finger falls back.
+data::Run loose_from(std::size_t first, std::size_t last) {
+  data::Run run = stepped(0.8, 0.0);
+  double angle = 0.0;
+  for (std::size_t i = 0; i < run.inputs.size(); ++i) {
+    const double held = i < 10 ? 0.0 : 0.8;
+    run.inputs[i] = {held * declared_stiffness};
+    angle += 0.5 * ((i >= first && i < last ? 0.0 : held) - angle);
+    run.channels.front().values[i] = angle + (i % 2 == 0 ? 1e-3 : -1e-3);
+  }
+  return run;
+}
+
+// As above, but the declared model follows its torque within a sample or two.
+std::vector<data::Warning> warnings_of_quick(const std::vector<data::Run>& runs) {
+  replay::DeclaredModel declared = slide(0.01, 0.1);
+  declared.build = [](std::span<const double> values) {
+    actuator::ModelSpec spec = slide(0.01, 0.1).build(values);
+    spec.hinges.front().stiffness = declared_stiffness;
+    spec.hinges.front().damping = interval * declared_stiffness;
+    return spec;
+  };
+  return unanswered_runs(runs, declared);
+}
+
+TEST(UnansweredRuns, AreThoseInWhichTheAngleFallsBackAndStays) {
+  const auto at_the_end = warnings_of_quick({loose_from(25, 50)});
+  ASSERT_EQ(at_the_end.size(), 1U);
+  EXPECT_EQ(at_the_end.front().text,
+            "from 0.28 to 0.49 s theta1_rad stays where the finger rests without current, and the declared model is "
+            "bent by up to 46 deg there: a coil, a wire, the driver or the camera may have been off. If so, end the "
+            "record before that: a fit would explain it by effects that are not there. If the current did flow, "
+            "something holds the finger");
+  EXPECT_EQ(warnings_of_quick({loose_from(20, 45)}).size(), 1U);
+}
+
+// One that never fell back, for a moment only, or that was late: what a camera's delay shows as well.
+TEST(UnansweredRuns, AreNoneWhereTheAngleAnswersLateOrFallsBackForAMoment) {
+  EXPECT_TRUE(warnings_of_quick({loose_from(50, 50)}).empty());
+  EXPECT_TRUE(warnings_of_quick({loose_from(20, 30)}).empty());
+  EXPECT_TRUE(warnings_of_quick({loose_from(0, 35)}).empty());
+}
+
 // Little motion is asked for, another start is not known, and a tenth of the motion is an answer.
 TEST(UnansweredRuns, AreNoneWhereTheModelHardlyMovesOrTheStartIsFree) {
   EXPECT_TRUE(warnings_of({stepped(0.01, 0.0)}).empty());

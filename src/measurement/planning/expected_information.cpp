@@ -71,15 +71,21 @@ double open_bits(std::span<const double> probabilities) {
 }
 
 double log_remaining_bits(std::span<const Expectation> explanations) {
+  std::vector<const Expectation*> possible;
+  for (const Expectation& each : explanations)
+    if (each.probability > 0.0) possible.push_back(&each);
+  // Of each the odds of the others, as far as they overlap. A distance is that of both, with simulations in it.
+  std::vector<std::vector<double>> odds(possible.size());
+  for (std::size_t i = 0; i < possible.size(); ++i)
+    for (std::size_t j = i + 1; j < possible.size(); ++j) {
+      const double ratio = std::log(possible[j]->probability / possible[i]->probability);
+      const double overlap = squared_distance(*possible[i], *possible[j]) / 8.0;
+      odds[i].push_back(ratio - overlap);
+      odds[j].push_back(-ratio - overlap);
+    }
   std::vector<double> parts;
-  for (const Expectation& one : explanations) {
-    if (!(one.probability > 0.0)) continue;
-    std::vector<double> odds;  // of the others, as far as they overlap
-    for (const Expectation& other : explanations)
-      if (&one != &other && other.probability > 0.0)
-        odds.push_back(std::log(other.probability / one.probability) - squared_distance(one, other) / 8.0);
-    parts.push_back(std::log(one.probability) + log_log1p_exp(log_of_sum(odds)));
-  }
+  for (std::size_t i = 0; i < possible.size(); ++i)
+    parts.push_back(std::log(possible[i]->probability) + log_log1p_exp(log_of_sum(odds[i])));
   return log_of_sum(parts) - std::log(std::numbers::ln2);
 }
 

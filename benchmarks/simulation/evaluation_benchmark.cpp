@@ -91,16 +91,20 @@ void straightforward_twentieth(benchmark::State& state) {
 }
 BENCHMARK(straightforward_twentieth)->Unit(benchmark::kMillisecond);
 
-// simulate() over 2 s of a sine, 500 samples a second and held between them, as accurately as a diagnosis asks for,
-// with effects of the catalogue by their ids.
+// simulate() over 2 s of a sine, 500 samples a second and a curve through them, as a diagnosis replays one, with
+// effects of the catalogue by their ids.
 void simulated_sine(benchmark::State& state, const std::vector<std::pair<const char*, std::vector<double>>>& effects) {
   actuator::ModelSpec spec =
       actuator::assemble_or_throw(finger(magnetics::Fidelity::line_of_centres)).model.nominal_spec();
   for (const auto& effect : effects)
     spec.effects.push_back({actuator::standard_effects().find(effect.first), effect.second});
   const actuator::Model model(spec);
-  const ModelInput input =
+  ModelInput input =
       sine_input(model, {.amplitude = 0.7, .offset = 0.7, .frequency = 2.0, .duration = 2.0, .interval = 2e-3});
+  input.straight.assign(input.times.size(), 1);
+  input.straight.back() = 0;
+  input.passed = input.straight;
+  input.passed.front() = 0;
   const State start{.angles = mechanics::JointVector::Zero(2), .rates = mechanics::JointVector::Zero(2)};
   for (auto _ : state)
     benchmark::DoNotOptimize(simulate(model, input, start, {.relative = 1e-6, .ends_at_rest = true}));

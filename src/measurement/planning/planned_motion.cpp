@@ -276,9 +276,10 @@ Eigen::VectorXd true_values(const PlannedRun& planned, const data::Run& recorded
   if (plain) {
     const data::Run simulated = as_simulated(std::move(run));
     replay::require_fits_model(simulated, rig, model);
-    // Its rows as they are: a fast sine that is sampled a few times a period would pass as noise of a recorded input.
+    // Its rows as they are: a fast sine that is sampled a few times a period would pass as noise of a recorded input,
+    // and what a curve makes of steps is for those to judge who replay this record.
     replay::Window window{.range = {.first = 0, .last = simulated.times.size()}};
-    replay::set_input(window, simulated, {.rows = simulated.inputs}, model);
+    replay::set_input(window, simulated, {.rows = simulated.inputs, .as_steps = true}, model);
     return motion(planned, {.run = &simulated}, window, model);
   }
   const SampleClock samples{.run = run, .clock = clock};

@@ -21,6 +21,7 @@ struct CleanInput {
   std::vector<std::vector<double>> rows{};  ///< as Run::inputs
   double sigma{};                           ///< standard deviation of the noise that was taken out, in their unit
   std::vector<InputError> errors{};         ///< independent of one another
+  bool as_steps = false;                    ///< whether fine steps stay steps, however smooth they are
 };
 
 /// A recorded input has noise where hardly two neighbours are alike and what is left of smooth curves is more than

@@ -231,7 +231,7 @@ InputRows between_middles(const data::Run& run, const CleanInput& clean) {
   RowsBuilder out;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::size_t end = end_of_part(goes_on, i);  // its last row
-    const bool is_curve = end > i && is_of_a_curve(part_of(rows, i, end));
+    const bool is_curve = end > i && !clean.as_steps && is_of_a_curve(part_of(rows, i, end));
     if (end == i || (clean.sigma == 0.0 && !is_curve)) {
       for (std::size_t k = i; k <= end; ++k)
         if (clean.sigma == 0.0 || !out.holds(rows[k])) out.add(times[k], rows[k], k);

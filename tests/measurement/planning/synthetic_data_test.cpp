@@ -83,10 +83,8 @@ TEST(SyntheticData, WithoutEffectAndNoiseAreTheSimulation) {
   const auto states = simulation::simulate(model, input, {.angles = *rest, .rates = JointVector::Zero(2)});
   const std::vector<double> seen = values_of(one(motion("a.csv", sine)));
   ASSERT_EQ(seen.size(), states.size());
-  // The twin integrates to 1e-6 a step instead of 1e-7, and takes fine steps of the current as a curve (window_input):
-  // 1e-5 of the angle, far below the 0.02 deg that a camera resolves.
-  for (std::size_t i = 0; i < seen.size(); ++i)
-    EXPECT_NEAR(seen[i], states[i].angles.sum(), 1e-5 * states[i].angles.sum()) << i;
+  // The twin integrates to 1e-6 a step instead of 1e-7: far below the 0.02 deg that a camera resolves.
+  for (std::size_t i = 0; i < seen.size(); ++i) EXPECT_NEAR(seen[i], states[i].angles.sum(), 1e-4 * degree) << i;
 }
 
 // What drives the finger are the samples themselves, also where they are few: six a period once passed as noise of a
@@ -106,9 +104,9 @@ TEST(SyntheticData, AreDrivenByAFastSineAsItIsSampled) {
   const auto rest = simulation::find_equilibrium(model, held.currents.front(), JointVector::Zero(2));
   ASSERT_TRUE(rest.has_value());
   const auto states = simulation::simulate(model, held, {.angles = *rest, .rates = JointVector::Zero(2)});
-  // As above: the twin integrates to 1e-6 a step, which is of 1e-6 of the angle here and ten times that at most.
+  // As above: the twin integrates to 1e-6 a step.
   for (std::size_t i = 0; i < slow.times.size(); ++i)
-    EXPECT_NEAR(slow.channels[0].values[i], states[parts * i].angles.sum(), 1e-5 * states[parts * i].angles.sum()) << i;
+    EXPECT_NEAR(slow.channels[0].values[i], states[parts * i].angles.sum(), 1e-4 * degree) << i;
 }
 
 TEST(SyntheticData, AreTheSameBitsForTheSameSeedOnly) {

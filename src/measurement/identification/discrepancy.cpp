@@ -13,12 +13,12 @@ DiscrepancyFilter::DiscrepancyFilter(const Series& series, const Discrepancy& di
   double level = variance, cross = 0.0, slope = slope_variance;
   // Where samples are alike and evenly spaced the covariance soon stays the same, and so does the step.
   double last_level = -1.0, last_cross = 0.0, last_slope = 0.0, last_by = -1.0, last_logarithm = 0.0;
-  const auto is_near = [](double a, double b) { return std::abs(a - b) <= 1e-11 * std::abs(b); };
+  const auto is_near = [](double a, double b) { return std::abs(a - b) <= 1e-14 * std::abs(b); };
   steps_.reserve(series.set_aside.size());
   for (Eigen::Index i = 0; i < series.samples(); ++i) {
     const bool is_seen = series.set_aside[static_cast<std::size_t>(i)] == 0;
-    if (i > 0 && is_seen && is_near(series.steps[static_cast<std::size_t>(i - 1)], last_by) &&
-        is_near(level, last_level) && is_near(cross, last_cross) && is_near(slope, last_slope)) {
+    if (i > 0 && is_seen && series.steps[static_cast<std::size_t>(i - 1)] == last_by && is_near(level, last_level) &&
+        is_near(cross, last_cross) && is_near(slope, last_slope)) {
       steps_.push_back(steps_.back());
       log_determinant_ += last_logarithm;
       continue;

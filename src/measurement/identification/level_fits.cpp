@@ -22,8 +22,9 @@ namespace {
 using actuator::Effect;
 using MaybeFit = std::optional<FittedHypothesis>;
 
-const fit::Fit* pointer_to(const std::optional<fit::Fit>& fit) {
-  return fit ? &*fit : nullptr;
+template <class Value>
+const Value* pointer_to(const std::optional<Value>& value) {
+  return value ? &*value : nullptr;
 }
 
 // Turn by turn, and after each of them the worse half of those that go on is left where it is.
@@ -239,22 +240,22 @@ LevelFits fit_level(std::span<const replay::PreparedRun> runs, const std::vector
   std::vector<std::optional<ShortFit>> short_fits(starts.size());
   std::mutex reporting;
   std::size_t done = 0;
-  const auto tell = [&](std::size_t i) { progress(done, short_fits[i] ? &*short_fits[i] : nullptr); };
   tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) {
     short_fits[i] = short_fit(runs, *planned[places[i]].base, starts[i]);
     const std::scoped_lock lock(reporting);
-    tell(i);
+    progress(done, pointer_to(short_fits[i]));
   });
   const double worth_other_starts =
       search_effort.worth_more_runs * explained_by_an_answer(runs, planned, places, short_fits);
   tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) {
     const PlannedExtension& plan = planned[places[i]];
-    if (plan.predicted_fall >= worth_other_starts)
+    const bool is_worth_it = plan.predicted_fall >= worth_other_starts;
+    if (is_worth_it)
       short_fits[i] =
           from_other_starts(runs, *plan.base, starts[i], further[i], pointer_to(at_declared), std::move(short_fits[i]));
     const std::scoped_lock lock(reporting);
     if (--left[places[i]] == 0) ++done;
-    tell(i);
+    progress(done, is_worth_it ? pointer_to(short_fits[i]) : nullptr);
   });
   struct Found {
     std::size_t place{};

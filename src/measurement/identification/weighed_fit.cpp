@@ -46,7 +46,11 @@ Series series_of(const replay::PreparedRun& run, replay::SampleRange range, std:
   const double interval = times.empty() ? 1.0 : data::median_interval(*run.run);
   for (std::size_t i = range.first; i < range.last; ++i) {
     out.set_aside.push_back(run.is_set_aside(channel, i) ? 1 : 0);
-    if (i > range.first) out.steps.push_back(times.empty() ? 1.0 : (times[i] - times[i - 1]) / interval);
+    if (i == range.first) continue;
+    const double step = times.empty() ? 1.0 : (times[i] - times[i - 1]) / interval;
+    // Even times differ by the rounding of their difference, which a filter would take for uneven ones.
+    constexpr double rounding = 1e-9;
+    out.steps.push_back(std::abs(step - 1.0) <= rounding ? 1.0 : step);
   }
   return out;
 }

@@ -115,6 +115,20 @@ std::optional<DeadPart> dead_part(const DeclaredReadings& angle, double unpowere
   return std::nullopt;
 }
 
+// An angle that hardly moves in the whole run.
+std::optional<data::Warning> dead_throughout(const data::Run& run, const DeclaredReadings& angle) {
+  const double seen = extent(angle.measured);
+  const double expected = extent(angle.declared);
+  if (expected < least_motion || seen > hardly * expected) return std::nullopt;
+  return data::Warning{
+      .run = run.name,
+      .text =
+          fmt::format("{} keeps within {:.2g} deg where the declared model moves by {:.2g} deg: a coil, a wire, the "
+                      "driver or the camera may have been off. If so, leave the run out: a fit would explain it by "
+                      "effects that are not there. If the current did flow, something holds the finger",
+                      angle.channel->name, units::degrees_per_radian * seen, units::degrees_per_radian * expected)};
+}
+
 std::optional<data::Warning> dead_in_part(const data::Run& run, const DeclaredReadings& angle,
                                           const actuator::Model& model) {
   const auto straight = mechanics::JointVector::Zero(model.joints());
@@ -200,24 +214,13 @@ std::vector<data::Warning> unanswered_runs(std::span<const data::Run> runs, cons
     if (!is_motion_of_angles(run)) continue;
     const auto readings = declared_readings(run, declared, as_declared);
     if (!readings) continue;
+    const actuator::Model model(replay::on_changed_rig(as_declared.spec_at(as_declared.start()), run.rig));
     for (const DeclaredReadings& angle : *readings) {
       if (!is_angle(*angle.channel)) continue;
-      const double seen = extent(angle.measured);
-      const double expected = extent(angle.declared);
-      if (expected < least_motion || seen > hardly * expected) {
-        const actuator::Model model(replay::on_changed_rig(as_declared.spec_at(as_declared.start()), run.rig));
-        auto in_part = dead_in_part(run, angle, model);
-        if (!in_part) continue;
-        out.push_back(std::move(*in_part));
-        break;
-      }
-      out.push_back({.run = run.name,
-                     .text = fmt::format("{} keeps within {:.2g} deg where the declared model moves by {:.2g} deg: a "
-                                         "coil, a wire, the driver or the camera may have been off. If so, leave the "
-                                         "run out: a fit would explain it by effects that are not there. If the "
-                                         "current did flow, something holds the finger",
-                                         angle.channel->name, units::degrees_per_radian * seen,
-                                         units::degrees_per_radian * expected)});
+      auto warning = dead_throughout(run, angle);
+      if (!warning) warning = dead_in_part(run, angle, model);
+      if (!warning) continue;
+      out.push_back(std::move(*warning));
       break;
     }
   }

@@ -22,7 +22,7 @@ LaggedCurve::LaggedCurve(SmoothCurve entering, double lag, std::span<const doubl
 
 // The polynomial, so long after the row at which the interval begins.
 double LaggedCurve::following(std::size_t interval, std::size_t column, double since) const {
-  const SmoothCurve::Cubic u = entering_.cubic(interval, column);
+  const SmoothCurve::Cubic& u = entering_.cubic(interval, column);
   const double slope = u.slope + since * (2.0 * u.bend + since * 3.0 * u.twist);
   const double second = 2.0 * u.bend + since * 6.0 * u.twist;
   return u.value + since * (u.slope + since * (u.bend + since * u.twist)) -

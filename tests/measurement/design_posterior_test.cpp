@@ -50,6 +50,16 @@ TEST(DesignPosterior, IsThatOfTheFitInNumbersOfTheDesign) {
   EXPECT_NEAR(posterior.correlation(1, 2), -0.5, 1e-9);
 }
 
+// Rounding took one of them to 1.0000000000000002, which readers refuse.
+TEST(DesignPosterior, HasNoCorrelationBeyondOne) {
+  for (double variance = 0.01; variance < 2.0; variance *= 1.01) {
+    Diagnosis found = diagnosis_of_three();
+    found.covariance(0, 0) = variance;
+    const DesignPosterior posterior = design_posterior(found, design_of);
+    EXPECT_LE(posterior.correlation.cwiseAbs().maxCoeff(), 1.0) << variance;
+  }
+}
+
 // As of a diagnosis that was interrupted.
 TEST(DesignPosterior, IsEmptyWhereNothingIsKnown) {
   Diagnosis nothing = diagnosis_of_three();

@@ -17,7 +17,6 @@ class SmoothCurve {
     double value{}, slope{}, bend{}, twist{};
   };
 
-  SmoothCurve() = default;
   /// Of rows of `width` values, one row after the other in `values`; `times` ascending, at least two.
   SmoothCurve(std::span<const double> times, std::span<const double> values, std::size_t width);
 

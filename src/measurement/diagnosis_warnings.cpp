@@ -106,23 +106,22 @@ void warn_of_short_lags(std::vector<data::Warning>& out, const Diagnosis& diagno
   }
 }
 
-// Whether a record without motion has told the spectrum of the noise (replay::give_recorded_noise).
-bool colour_is_known(const signals::NoiseLevel& level) {
-  return level.colour.starts_with("white, as") || level.colour.starts_with("coloured");
-}
-
 // Noise that is correlated from picture to picture looks like structure of the motion.
 void warn_of_unknown_colour(std::vector<data::Warning>& out, const Diagnosis& diagnosis,
                             std::span<const replay::PreparedRun> runs) {
-  if (diagnosis.verdict != Verdict::partly_explained && diagnosis.verdict != Verdict::unexplained) return;
-  for (const replay::PreparedRun& prepared : runs) {
-    if (!prepared.is_motion() || std::ranges::all_of(prepared.noise, colour_is_known)) continue;
-    out.push_back({.run = "",
-                   .text = "what is left is not white, and no still run tells how the noise is coloured: a filter in "
-                           "the camera or the tracker, or hum, cannot be told from a missing effect; ten seconds of a "
-                           "still finger, recorded as the motions were, would tell (kind still)"});
-    return;
-  }
+  const bool is_unknown = std::ranges::any_of(runs, [](const replay::PreparedRun& prepared) {
+    return prepared.is_motion() && std::ranges::any_of(prepared.noise, &signals::NoiseLevel::colour_unknown);
+  });
+  const bool structured = diagnosis.verdict == Verdict::partly_explained || diagnosis.verdict == Verdict::unexplained;
+  if (!is_unknown || (!structured && diagnosis.after.is_white())) return;
+  out.push_back(
+      {.run = "",
+       .text = fmt::format(
+           "what is left is not white, and no still run tells how the noise is coloured: {}; ten seconds of a still "
+           "finger, recorded as the motions were, would tell (kind still)",
+           structured ? "a filter in the camera or the tracker, or hum, cannot be told from a missing effect"
+                      : "as it is no larger than the noise that the set gives, it is taken for that noise, filtered by "
+                        "the camera or the tracker")});
 }
 
 // Along a motion that the errors of the input have led elsewhere, what more of them does is no longer linear. A

@@ -11,6 +11,7 @@
 namespace coilwright::measurement {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -96,12 +97,14 @@ TEST(DiagnosisWarnings, SayWhenColouredNoiseMayBeTakenForStructure) {
   found.diagnosis.verdict = Verdict::unexplained;
   found.diagnosis.after = {.level = 1.2, .structure = 3.0};
   EXPECT_THAT(found.texts(slide(true_mass, 0.1)), IsEmpty());  // a still run tells
-  found.runs.front().noise.front().colour =
-      "taken as white: there is no still run, and the parts at rest are too short to show its colour";
+  found.runs.front().noise.front().colour_unknown = true;
   const auto texts = found.texts(slide(true_mass, 0.1));
   ASSERT_EQ(texts.size(), 1u);
-  EXPECT_THAT(texts.front(), HasSubstr("ten seconds of a still finger"));
+  EXPECT_THAT(texts.front(), HasSubstr("cannot be told from a missing effect; ten seconds of a still finger"));
   found.diagnosis.verdict = Verdict::no_missing_effect;
+  found.diagnosis.after.level = 1.0;
+  EXPECT_THAT(found.texts(slide(true_mass, 0.1)), ElementsAre(HasSubstr("it is taken for that noise")));
+  found.diagnosis.after.structure = 0.9;
   EXPECT_THAT(found.texts(slide(true_mass, 0.1)), IsEmpty());
 }
 

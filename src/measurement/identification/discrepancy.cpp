@@ -44,7 +44,7 @@ DiscrepancyFilter::DiscrepancyFilter(const Series& series, const Discrepancy& di
       slope = slope_variance + sl * sl * a + 2.0 * sl * ss * b + ss * ss * c;
     }
     if (is_seen) {
-      const double innovation = level + 1.0;
+      const double innovation = level + discrepancy.white;
       last_logarithm = std::log(innovation);
       log_determinant_ += last_logarithm;
       if (i > 0) last_by = series.steps[static_cast<std::size_t>(i - 1)];

@@ -12,6 +12,7 @@ namespace coilwright::measurement::identification {
 struct Discrepancy {
   double deviation{};   ///< standard deviation, over that of the noise; 0: nothing is missing
   double length = 1.0;  ///< correlation length, in sampling intervals; > 0
+  double white = 1.0;   ///< variance of the white noise beside it, over that of the noise; > 0
 };
 
 /// One channel of one window: samples that share a discrepancy.
@@ -21,6 +22,8 @@ struct Series {
   std::vector<char> set_aside{};  ///< for each sample whether it counts as not measured
   /// Degrees of freedom of the noise's variance; infinite where it is known.
   double freedom{};
+  /// Whether that variance is known, but not how the noise is coloured.
+  bool may_be_coloured{};
   [[nodiscard]] Eigen::Index samples() const { return static_cast<Eigen::Index>(set_aside.size()); }
 };
 

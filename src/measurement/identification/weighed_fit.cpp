@@ -41,7 +41,8 @@ double freedom_of(const signals::NoiseLevel& noise) {
 }
 
 Series series_of(const replay::PreparedRun& run, replay::SampleRange range, std::size_t channel, Eigen::Index first) {
-  Series out{.first = first, .freedom = freedom_of(run.noise[channel])};
+  const signals::NoiseLevel& noise = run.noise[channel];
+  Series out{.first = first, .freedom = freedom_of(noise), .may_be_coloured = noise.given && noise.colour_unknown};
   const std::vector<double>& times = run.run->times;
   const double interval = times.empty() ? 1.0 : data::median_interval(*run.run);
   for (std::size_t i = range.first; i < range.last; ++i) {
@@ -134,17 +135,17 @@ class Weighing {
       : fitted_(fitted), blocks_(blocks_of(runs, fitted.fit)), priors_(priors_of(fitted, scale)) {}
 
   WeighedFit run() const {
-    const std::vector<Weighted> grid = discrepancies();
+    const std::vector<Left> grid = all_that_may_be_left();
     std::vector<double> log_weights;
-    for (const Weighted& each : grid) log_weights.push_back(each.log_prior + of_residuals(each.discrepancy));
+    for (const Left& each : grid) log_weights.push_back(each.log_prior + of_residuals(each));
     const auto best = static_cast<std::size_t>(std::ranges::max_element(log_weights) - log_weights.begin());
     double sum = 0.0, small = 0.0;
     for (std::size_t i = 0; i < grid.size(); ++i) {
       const double share = std::exp(log_weights[i] - log_weights[best]);
       sum += share;
-      if (grid[i].discrepancy.deviation < negligible) small += share;
+      if (grid[i].missing.deviation < negligible) small += share;
     }
-    WeighedFit out = at(grid[best].discrepancy);
+    WeighedFit out = at(grid[best]);
     out.log_evidence += grid[best].log_prior + std::log(sum);
     out.probability_of_noise = small / sum;
     return out;
@@ -154,26 +155,43 @@ class Weighing {
   static constexpr double least_deviation = 0.02;
   static constexpr double deviation_ratio = 1.6;
   static constexpr double length_ratio = 2.0;
+  static constexpr int coloured_shares = 10;
 
-  struct Weighted {
-    Discrepancy discrepancy;
+  // What may be left beside white noise.
+  struct Left {
+    Discrepancy missing;  // of every series
+    Discrepancy colour;   // of noise, in series that may be coloured
     double log_prior{};
+
+    const Discrepancy& in(const Series& series) const { return series.may_be_coloured ? colour : missing; }
   };
 
   // Nothing is missing, or something: as probable one as the other. Half-Cauchy in the deviation, even in the logarithm
-  // of the length.
-  std::vector<Weighted> discrepancies() const {
+  // of the length. Noise whose spectrum no record tells is white or not, as probable one as the other, and has the
+  // variance that is stated in either case: even in the share of it that is coloured.
+  std::vector<Left> all_that_may_be_left() const {
     constexpr double shortest = 2.0;
     const double span = std::log(std::max(longest() / 3.0, shortest * length_ratio) / shortest);
     const auto cells = static_cast<int>(std::ceil(span / std::log(length_ratio)));
     std::vector<double> lengths;
     for (int i = 0; i < cells; ++i) lengths.push_back(shortest * std::exp(span * (i + 0.5) / cells));
-    std::vector<Weighted> out{{.discrepancy = {}, .log_prior = -std::numbers::ln2}};
+    const bool colours = any_of_series(&Series::may_be_coloured);
+    std::vector<Left> out{{.missing = {}, .colour = {}, .log_prior = (colours ? -2.0 : -1.0) * std::numbers::ln2}};
     const double each = 0.5 * 2.0 / std::numbers::pi * std::log(deviation_ratio) / static_cast<double>(lengths.size());
     for (const double length : lengths)
       for (double deviation = least_deviation; deviation <= largest_deviation(); deviation *= deviation_ratio)
-        out.push_back({.discrepancy = {.deviation = deviation, .length = length},
+        out.push_back({.missing = {.deviation = deviation, .length = length},
+                       .colour = {.deviation = deviation, .length = length},
                        .log_prior = std::log(each * deviation / (1.0 + deviation * deviation))});
+    if (!colours) return out;
+    const double log_prior = std::log(0.25 / static_cast<double>(coloured_shares * lengths.size()));
+    for (const double length : lengths)
+      for (int i = 0; i < coloured_shares; ++i) {
+        const double share = (i + 0.5) / coloured_shares;
+        out.push_back({.missing = {},
+                       .colour = {.deviation = std::sqrt(share), .length = length, .white = 1.0 - share},
+                       .log_prior = log_prior});
+      }
     return out;
   }
 
@@ -194,12 +212,16 @@ class Weighing {
     return 4.0 * std::sqrt(1.0 + squares / samples);
   }
 
+  bool any_of_series(bool Series::*what) const {
+    return std::ranges::any_of(blocks_, [&](const Block& block) { return std::ranges::any_of(block.series, what); });
+  }
+
   // Of the residuals as the fit leaves them.
-  double of_residuals(const Discrepancy& discrepancy) const {
+  double of_residuals(const Left& left) const {
     double out = 0.0;
     for (const Block& block : blocks_)
       for (const Series& series : block.series) {
-        const DiscrepancyFilter filter(series, discrepancy);
+        const DiscrepancyFilter filter(series, left.in(series));
         Rows residual = block.rows.col(0).segment(series.first, series.samples());
         filter.whiten(residual);
         out +=
@@ -208,18 +230,18 @@ class Weighing {
     return out;
   }
 
-  WeighedFit at(const Discrepancy& discrepancy) const {
+  WeighedFit at(const Left& left) const {
     const Eigen::Index size = fitted_.hypothesis.size();
     Quadratic sum{
         .constant = 0.0, .gradient = Eigen::VectorXd::Zero(size), .matrix = Eigen::MatrixXd::Zero(size, size)};
     double log_z = priors_.log_density;
-    for (const Block& block : blocks_) log_z += add(block, discrepancy, sum);
+    for (const Block& block : blocks_) log_z += add(block, left, sum);
     const Mode mode = mode_of(sum);
     log_z -= 0.5 * mode.objective;
     for (const double each : mode.modes.values)
       log_z += 0.5 * (std::log(2.0 * std::numbers::pi) - std::log(std::max(each, least_mode)));
     for (const double unit : mode.units) log_z += std::log(unit);
-    WeighedFit out{.log_evidence = log_z, .discrepancy = discrepancy};
+    WeighedFit out{.log_evidence = log_z, .discrepancy = left.missing};
     out.values = fitted_.hypothesis.clamped(fitted_.fit.values + priors_.slopes.cwiseProduct(mode.step));
     const Eigen::MatrixXd& vectors = mode.modes.vectors;
     const Eigen::VectorXd variances = mode.modes.values.cwiseMax(least_mode).cwiseInverse();
@@ -232,13 +254,13 @@ class Weighing {
 
   // Adds what a window says of the parameters, its local numbers eliminated. Returns the part of the logarithm of its
   // likelihood that does not depend on them.
-  double add(const Block& block, const Discrepancy& discrepancy, Quadratic& sum) const {
+  double add(const Block& block, const Left& left, Quadratic& sum) const {
     const Eigen::Index p = fitted_.hypothesis.size();
     const Eigen::Index locals = block.rows.cols() - 1 - p;
     double out = 0.0;
     Eigen::MatrixXd normal = block.local_priors;
     for (const Series& series : block.series) {
-      const DiscrepancyFilter filter(series, discrepancy);
+      const DiscrepancyFilter filter(series, left.in(series));
       Rows rows = block.rows.middleRows(series.first, series.samples());
       filter.whiten(rows);
       const double squares = rows.col(0).squaredNorm();
@@ -294,6 +316,13 @@ class Weighing {
     return out;
   }
 
+  // Beyond where it pulls, a prior stays as it is there, to the bound: Laplace's integral shall be as wide.
+  static double flat_precision(const fit::FitParameter& number, double value) {
+    const double bound = value < number.declared ? number.lower : number.upper;
+    const double width = std::max(1.0, std::abs(bound - number.declared) / number.tolerance - number.farthest);
+    return 2.0 * std::numbers::pi / (width * width);
+  }
+
   struct Pull {
     Eigen::VectorXd distances, weights;  // of each parameter from what is declared, in tolerances
     double objective{};
@@ -307,7 +336,10 @@ class Weighing {
       if (!number.has_prior()) continue;
       const double distance = -number.distance(values[i]);
       out.objective += (heavy_tail + 1.0) * std::log1p(distance * distance / heavy_tail);
-      if (!number.is_pulled(values[i])) continue;
+      if (!number.is_pulled(values[i])) {
+        out.weights[i] = flat_precision(number, values[i]);
+        continue;
+      }
       out.distances[i] = distance;
       out.weights[i] = (heavy_tail + 1.0) / (heavy_tail + distance * distance);
     }

@@ -13,7 +13,7 @@ namespace coilwright::measurement::identification {
 /// What the records and the priors say of one hypothesis.
 struct WeighedFit {
   double log_evidence{};          ///< natural logarithm, up to a constant of the records and the declared model
-  Discrepancy discrepancy{};      ///< the most probable one
+  Discrepancy discrepancy{};      ///< the most probable one; none where noise of some colour is more probable
   double probability_of_noise{};  ///< that what is missing is below a tenth of the noise
   Eigen::VectorXd values{};       ///< the most probable parameters, SI; inside their bounds
   Eigen::MatrixXd covariance{};   ///< of them, SI; large where neither records nor priors tell
@@ -25,10 +25,13 @@ struct WeighedFit {
 ///   the fit, with a discrepancy of its own in each channel of each window and with noise. Where the noise's level was
 ///   estimated, its own uncertainty is integrated out (a Student-t likelihood of each series);
 /// - a declared number is known to its tolerance by Student's t with 4 degrees of freedom, so that one may be far off
-///   without drawing the others along; the numbers of effects as prior_of_numbers() says;
+///   without drawing the others along; where its prior has an end (faces), as probable from there to its bound as at
+///   that end; the numbers of effects as prior_of_numbers() says;
 /// - nothing is missing with a probability of a half; otherwise the discrepancy's deviation over the noise is
 ///   half-Cauchy, its length log-uniform from two samples to a third of the longest window. Both are integrated over a
-///   grid, on which what they do to the linear part is taken from the most probable pair.
+///   grid, on which what they do to the linear part is taken from the most probable pair;
+/// - noise whose level is stated and whose spectrum no record tells is white or coloured, as probable one as the other;
+///   coloured, an even share of its variance is a process of such a length, and the whole is what is stated.
 /// One mode. The linear model is as good as the fit's derivatives: a hypothesis that is far from the noise is credited
 /// with more than a fit with its discrepancy would reach, never with less. (Kass and Raftery, J. Am. Stat. Assoc. 90
 /// (1995) 773, section 4.1; Lange, Little and Taylor, J. Am. Stat. Assoc. 84 (1989) 881 on Student's t.)

@@ -178,6 +178,7 @@ void take_recorded_noise(PreparedRun& prepared, std::span<const data::Run> still
     const data::Channel& channel = prepared.run->channels[c];
     signals::NoiseLevel& level = prepared.noise[c];
     level.colour = "taken as white: there is no still run, and the parts at rest are too short to show its colour";
+    level.colour_unknown = true;
     std::vector<Stretch> stretches;
     for (const data::Run& run : still)
       if (auto found = stretch_of(run, channel.kind, channel.joint, {.last = run.samples()}, fewest_still_samples))
@@ -190,6 +191,7 @@ void take_recorded_noise(PreparedRun& prepared, std::span<const data::Run> still
         level.source = fmt::format("the still run, {:.0f} samples", colour->freedom);
       }
       level.colour = text_of(*colour, "the still run");
+      level.colour_unknown = false;
       take_over(prepared, c, *colour);
       continue;
     }
@@ -210,6 +212,7 @@ void take_recorded_noise(PreparedRun& prepared, std::span<const data::Run> still
       continue;
     }
     level.colour = text_of(*colour, "the parts at rest");
+    level.colour_unknown = false;
     if (colour->is_white && colour->lines.empty()) continue;
     if (!level.given) {
       level.sigma = std::max(colour->sigma, 1e-12);

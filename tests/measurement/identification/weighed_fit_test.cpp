@@ -149,5 +149,71 @@ TEST(WeighedFit, LetsOneDeclaredNumberBeFarOff) {
   EXPECT_NEAR(found.values[0], true_mass, 4.0 * deviation);
 }
 
+// Of the deviation that is stated, from a filter of the first order: noise, unless a record of it at rest has told that
+// it is white.
+TEST(WeighedFit, TakesWhatIsAsLargeAsStatedForColouredNoiseWhereNoRecordTellsItsColour) {
+  constexpr double kept = 0.6;  // of a value by the next
+  Normal normal(7);
+  double filtered = normal();
+  WeighedSlide slid(fixed_slide(), slide_run(800, {}, [&] {
+                      filtered = kept * filtered + std::sqrt(1.0 - kept * kept) * normal();
+                      return noise_sigma * filtered;
+                    }));
+  EXPECT_LT(slid.weighed_with({}).probability_of_noise, 1e-3);
+  slid.runs.front().noise.front().colour_unknown = true;
+  const WeighedFit found = slid.weighed_with({});
+  EXPECT_GT(found.probability_of_noise, 0.99);
+  EXPECT_EQ(found.discrepancy.deviation, 0.0);
+}
+
+// The wave of twice the noise again, and one as large as the noise.
+TEST(WeighedFit, TakesNothingForColouredNoiseThatIsLargerThanStated) {
+  for (const double size : {1.0, 2.0}) {
+    Normal normal(3);
+    int sample = 0;
+    WeighedSlide slid(fixed_slide(), slide_run(400, {}, [&] {
+                        return noise_sigma * (normal() + size * std::numbers::sqrt2 *
+                                                             std::sin(2.0 * std::numbers::pi * sample++ / 80.0));
+                      }));
+    slid.runs.front().noise.front().colour_unknown = true;
+    EXPECT_LT(slid.weighed_with({}).probability_of_noise, 1e-3) << size;
+  }
+}
+
+// A number that no record tells anything of, where it is declared and beyond the end of its prior: the evidence of each
+// has the integral of the prior there, by the midpoint rule.
+TEST(WeighedFit, IntegratesThePriorOfAnIdleNumberOverWhereItIs) {
+  replay::DeclaredModel declared = fixed_slide();
+  declared.calibration = {{.key = "idle",
+                           .declared = 0.0,
+                           .lower = -45.0,
+                           .upper = 45.0,
+                           .scale = 1.0,
+                           .tolerance = replay::Tolerance{.deviation = 1.0},
+                           .calibrated = false,
+                           .other_start = -45.0}};
+  Normal normal(5);
+  const WeighedSlide slid(declared, slide_run(200, {}, [&] { return noise_sigma * normal(); }));
+  const auto log_evidence_from = [&](double start) {
+    PlannedFit plan{.hypothesis = fit::Hypothesis(slid.declared, {})};
+    plan.start = plan.hypothesis.start();
+    plan.start[0] = start;
+    const auto fitted = fit_exactly(slid.runs, plan);
+    return weighed(slid.runs, fitted.value(), {}).log_evidence;
+  };
+  const auto prior_between = [](double from, double to) {
+    constexpr int parts = 1000;
+    double sum = 0.0;
+    for (int i = 0; i < parts; ++i) {
+      const double distance = std::min(3.0, std::abs(from + (to - from) * (i + 0.5) / parts));
+      sum += (to - from) / parts * std::pow(1.0 + 0.25 * distance * distance, -2.5);
+    }
+    return sum;
+  };
+  // Near the declared value the parabola lacks the tails.
+  EXPECT_NEAR(log_evidence_from(-45.0) - log_evidence_from(0.0),
+              std::log(prior_between(-45.0, -3.0) / prior_between(-3.0, 3.0)), 0.2);
+}
+
 }  // namespace
 }  // namespace coilwright::measurement::identification

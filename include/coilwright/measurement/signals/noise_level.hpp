@@ -21,7 +21,8 @@ struct NoiseLevel {
   std::string source{};                                      ///< "given", or how it was estimated
   /// The least that the noise can be: resolution / sqrt(12).
   [[nodiscard]] double of_rounding() const { return resolution / std::sqrt(12.0); }
-  std::string colour{};  ///< what is assumed of its spectrum, and from where: "white: nothing shows its colour"
+  std::string colour{};   ///< what is assumed of its spectrum, and from where: "white: nothing shows its colour"
+  bool colour_unknown{};  ///< whether no record of it at rest has told its spectrum
 };
 
 /// The standard deviation of the measurement noise in one channel of a run.

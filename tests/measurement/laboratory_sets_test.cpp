@@ -113,5 +113,45 @@ TEST(LaboratorySets, AWeakLoopIsFittedToItsEnd) {
   EXPECT_GE(found.effects[0].parameters[0].upper, 0.02069e-3);
 }
 
+// Noise behind a filter of the camera, as large as the set says, and no record of a finger at rest. While only white
+// noise could have that size, something was missing.
+TEST(LaboratorySets, FilteredNoiseOfTheStatedSizeIsNoMissingEffect) {
+  const Diagnosis found =
+      diagnosis_of({.seed = 6954753889584602759ULL,
+                    .camera = {.frame_rate = 120.0},
+                    .noise = {.colour = truth::laboratory::Colour::low_passed, .sigma_given = true}});
+  EXPECT_EQ(found.verdict, Verdict::no_missing_effect);
+  ASSERT_EQ(found.warnings.size(), 1u);
+  EXPECT_THAT(found.warnings[0].text, ::testing::HasSubstr("ten seconds of a still finger"));
+}
+
+// Faces are declared that the finger does not have. While the evidence of a face that is nowhere touched had a thousand
+// tolerances to be in, the fit that left it for another effect won.
+TEST(LaboratorySets, FacesThatAreNotThereAreNoMissingEffect) {
+  const Diagnosis found = diagnosis_of(
+      {.seed = 5589720403845737786ULL,
+       .deviation = truth::laboratory::Deviation::within,
+       .tolerances = truth::laboratory::Tolerances::listed,
+       .faces = truth::laboratory::DeclaredFaces::absent,
+       .camera = {.frame_rate = 60.0, .exposure_share = 0.769, .jitter = 1e-4},
+       .clocks = {.log = truth::laboratory::InputLog::own_samples, .smallest_offset = 0.005, .largest_offset = 0.015},
+       .noise = {.colour = truth::laboratory::Colour::hum, .still_run = true, .sigma_given = true}});
+  EXPECT_THAT(named(found), ::testing::IsEmpty());
+  EXPECT_EQ(found.verdict, Verdict::declared_numbers_off);
+}
+
+// Beside the dead band's fit, whose stiffness has taken the softening up, the screening promises a thirtieth of what
+// the softening explains. While only the six effects of which it promised most were tried, a loop and a tilt stood for
+// it.
+TEST(LaboratorySets, ASecondEffectIsFoundAlthoughTheNumbersOfTheFirstHideIt) {
+  const Diagnosis found = diagnosis_of({.hidden = {"mullins_softening", "driver_deadband"},
+                                        .seed = 14724313705192232102ULL,
+                                        .camera = {.frame_rate = 120.0},
+                                        .noise = {.input_noise = 0.02},
+                                        .values = {0.3865, 0.1149}});
+  EXPECT_EQ(found.verdict, Verdict::explained);
+  EXPECT_THAT(named(found), ::testing::UnorderedElementsAre("mullins_softening", "driver_deadband"));
+}
+
 }  // namespace
 }  // namespace coilwright::measurement

@@ -275,22 +275,29 @@ class HypothesisSearch {
     return screen_effects(runs_, base, {.kinds = kinds_, .scale = scale_});
   }
 
+  // From the starts that the screening promises most of, and from the effect's own.
+  [[nodiscard]] static PlannedExtension extension_by(const FittedHypothesis& base, const EffectKind* kind,
+                                                     const Screened& screened) {
+    PlannedExtension out = one_more(base, starts_for_short_fit(kind, screened));
+    out.predicted_fall = largest_predicted_fall(kind, screened);
+    // An effect of one number has one shape.
+    if (kind->parameters().size() < 2) return out;
+    for (Effect& start : own_starts(kind, screened)) out.further_starts.push_back({std::move(start)});
+    return out;
+  }
+
   // Every effect alone.
   [[nodiscard]] HypothesesOfSize single_effects(const FittedHypothesis& base, const Screened& screened) {
     std::vector<PlannedExtension> planned;
     for (const EffectKind* kind : kinds_) {
-      std::vector<Effect> starts = starts_for_short_fit(kind, screened);
+      PlannedExtension each = extension_by(base, kind, screened);
       const auto known = std::ranges::find(singles_, kind, &Effect::kind);
       if (known != singles_.end()) {
-        starts.resize(std::min<std::size_t>(starts.size(), 1));
-        starts.push_back(*known);
+        each.starts.resize(std::min<std::size_t>(each.starts.size(), 1));
+        each.starts.push_back({*known});
+        each.further_starts.clear();
       }
-      planned.push_back(one_more(base, starts));
-      planned.back().predicted_fall = largest_predicted_fall(kind, screened);
-      if (known != singles_.end()) continue;
-      // An effect of one number has one shape.
-      if (kind->parameters().size() < 2) continue;
-      for (Effect& start : own_starts(kind, screened)) planned.back().further_starts.push_back({std::move(start)});
+      planned.push_back(std::move(each));
     }
     HypothesesOfSize out = best_of(planned, search_effort.refined_singles);
     singles_.clear();
@@ -305,11 +312,24 @@ class HypothesisSearch {
     std::vector<PlannedExtension> planned;
     for (const std::size_t i : contenders(level, of_the_size_before, search_effort.beam)) {
       const Screened more = screen(level[i]);
+      // What the numbers of a base have taken up of an effect the screening does not see: near the noise the best is
+      // extended by each.
+      if (i == 0 && !is_far_from_noise(level[i])) {
+        for (const EffectKind* kind : kinds_beside(level[i])) planned.push_back(extension_by(level[i], kind, more));
+        continue;
+      }
       for (const EffectKind* kind : kinds_by_predicted_fall(more, search_effort.extensions))
         planned.push_back(one_more(level[i], starts_for_short_fit(kind, more)));
     }
     for (const ScreenedCombination& each : combined) planned.push_back({.base = &base, .starts = {each.effects}});
     return best_of(without_repetitions(std::move(planned)), search_effort.refined_extensions);
+  }
+
+  [[nodiscard]] std::vector<const EffectKind*> kinds_beside(const FittedHypothesis& base) const {
+    std::vector<const EffectKind*> out;
+    std::ranges::copy_if(kinds_, std::back_inserter(out),
+                         [&](const EffectKind* kind) { return !are_among({kind}, base.kinds()); });
+    return out;
   }
 
   // See fit_level.

@@ -21,15 +21,9 @@ PackedState pack(const State& state) {
   return values;
 }
 
-// Of what a drive's lag leaves in the motion, s: a slower one is as smooth as the motion.
-constexpr double slowest_transient = 2e-3;
-
 // The currents, then the torques of one row.
 constexpr std::size_t largest_input = std::size_t{actuator::CoilCurrents::MaxRowsAtCompileTime} +
                                       std::size_t{mechanics::JointVector::MaxRowsAtCompileTime};
-
-// Of a drive's state and in its unit: nearer than this to where it ends is there. Below the error of a step.
-constexpr double drive_tolerance = 1e-10;
 
 // Of a step, over the time in which pressed faces ring by a radian: shorter steps are left to the explicit pair, which
 // is stable up to about 2.5. Between 0.05 and 1 the time for sixty random designs does not change by more than 7 %.
@@ -64,63 +58,19 @@ double Stepper::ErrorChecker::error(algebra_type& /*algebra*/, const PackedState
 Stepper::Stepper(const actuator::Model& model, const Tolerance& tolerance)
     : model_(model),
       controlled_(ErrorChecker(tolerance, model.joints())),
-      lag_(model.drive_lag()),
+      drive_(model),
       tolerance_(tolerance),
       squared_contact_frequencies_(model.chain().joint_mobility()) {
   for (int j = 0; j < model.joints(); ++j) squared_contact_frequencies_[j] *= model.hinges()[j].contact.stiffness;
 }
 
-// The drive's lag is known in closed form while the input is held, and leaves the motion a transient of its own: a
-// part p = a exp(-t / T) of the whole state x that hardly anything else is seen in. What is integrated is z = x - p,
-// z' = f(z + p) - p', which is exact whatever a is. That of the lag's states, x less where they end, makes z constant
-// there. The rest of a is chosen such that z sets out like a motion that has no transient, with the slopes of the place
-// x - a: by iteration of a = T (f(x - a) - f(x)), which converges where T is short against all else.
-void Stepper::split_fading() {
-  const auto first = static_cast<std::size_t>(2 * model_.joints());
-  const auto lags = static_cast<std::size_t>(drive_end_.size());
-  PackedState fading(values_.size(), 0.0);
-  for (std::size_t i = 0; i < lags; ++i)
-    fading[first + i] = values_[first + i] - drive_end_[static_cast<Eigen::Index>(i)];
-  drive_end_.resize(0);
-  PackedState there(values_.size(), 0.0);
-  PackedState bent(values_.size(), 0.0);
-  for (int i = 0; i < 2 && lag_ < slowest_transient; ++i) {
-    for (std::size_t k = 0; k < there.size(); ++k) there[k] = values_[k] - fading[k];
-    derive_whole(there, bent, time_);
-    for (std::size_t k = 0; k < there.size(); ++k)
-      if (k < first || k >= first + lags) fading[k] = lag_ * (bent[k] - slopes_[k]);
-  }
-  for (std::size_t k = 0; k < there.size(); ++k) {
-    values_[k] -= fading[k];
-    slopes_[k] += fading[k] / lag_;
-  }
-  std::fill_n(slopes_.begin() + static_cast<std::ptrdiff_t>(first), lags, 0.0);
-  fading_ = fading;
-}
-
-double Stepper::fading_share(double time) const {
-  return std::exp(-(time - start_time_) / lag_);
-}
-
-// `values` and what has not faded yet.
-PackedState Stepper::whole(PackedState values, double time) const {
-  if (!fading_.empty()) add_fading(values, fading_share(time));
-  if (lagged_) set_drive(values, time);
-  return values;
-}
-
-void Stepper::add_fading(PackedState& values, double share) const {
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] += share * fading_[i];
-}
-
 void Stepper::derive(const PackedState& values, PackedState& slopes, double time) const {
-  if (fading_.empty() && !lagged_) {
+  if (!drive_.knows_something()) {
     derive_whole(values, slopes, time);
     return;
   }
-  derive_whole(whole(values, time), slopes, time);
-  if (!fading_.empty()) add_fading(slopes, fading_share(time) / lag_);
-  std::fill_n(slopes.data() + 2 * model_.joints(), model_.drive_states(), 0.0);
+  derive_whole(drive_.whole(values, time), slopes, time);
+  drive_.leave_what_is_integrated(slopes, time);
 }
 
 Stepper::Input Stepper::input_at(double time) const {
@@ -136,24 +86,18 @@ Stepper::Input Stepper::input_at(double time) const {
   return out;
 }
 
-// The same closed form under a curve (algebra::LaggedCurve). What the states tend to is a curve through what they tend
-// to at its rows: the terms before them in the drive may bend it.
-void Stepper::follow_curve() {
-  const int lags = model_.drive_states();
+// What the drive's states tend to along the input's curve: a curve through what they tend to at its rows. The terms
+// before them in the drive may bend it.
+algebra::SmoothCurve Stepper::drive_ends() const {
+  const int states = model_.drive_states();
   const std::span<const double> times = curve_->times();
   std::vector<double> ends;
   for (std::size_t row = 0; row < times.size(); ++row) {
     const actuator::InternalStates settled =
         model_.settled(mechanics::JointVector::Zero(model_.joints()), input_at(times[row]).currents);
-    ends.insert(ends.end(), settled.data(), settled.data() + lags);
+    ends.insert(ends.end(), settled.data(), settled.data() + states);
   }
-  const double* first = values_.data() + 2 * model_.joints();
-  lagged_.emplace(algebra::SmoothCurve(times, ends, static_cast<std::size_t>(lags)), lag_,
-                  std::span(first, static_cast<std::size_t>(lags)));
-}
-
-void Stepper::set_drive(PackedState& values, double time) const {
-  lagged_->at(time, {values.data() + 2 * model_.joints(), static_cast<std::size_t>(model_.drive_states())});
+  return algebra::SmoothCurve(times, ends, static_cast<std::size_t>(states));
 }
 
 void Stepper::derive_whole(const PackedState& values, PackedState& slopes, double time) const {
@@ -180,22 +124,15 @@ void Stepper::derive_whole(const PackedState& values, PackedState& slopes, doubl
 void Stepper::start(double time, const State& state, Input input, std::optional<algebra::SmoothCurve> curve) {
   input_ = std::move(input);
   curve_ = std::move(curve);
-  lagged_.reset();
-  start_time_ = time;
+  drive_.forget();
   time_ = previous_time_ = time;
   values_ = pack(state);
   slopes_.assign(values_.size(), 0.0);
   derive_whole(values_, slopes_, time_);
-  fading_.clear();
-  drive_end_.resize(0);
   if (model_.drive_states() > 0 && !curve_)
-    drive_end_ = model_.settled(state.angles, input_.currents).head(model_.drive_states());
-  if (lag_ > 0.0 && !curve_) split_fading();
-  // A slower lag is as smooth as the motion, and costs no steps.
-  if (lag_ > 0.0 && lag_ <= slowest_transient && curve_) {
-    follow_curve();
-    std::fill_n(slopes_.data() + 2 * model_.joints(), model_.drive_states(), 0.0);
-  }
+    drive_.hold(time, model_.settled(state.angles, input_.currents).head(model_.drive_states()), values_, slopes_,
+                [&](const PackedState& values, PackedState& slopes) { derive_whole(values, slopes, time); });
+  if (curve_ && drive_.knows_along_curves()) drive_.follow(drive_ends(), values_, slopes_);
   previous_values_ = values_;
   previous_slopes_ = slopes_;
   // What was at rest has taken long steps, and its motion now is another one. Shorter ones find their way themselves.
@@ -230,38 +167,10 @@ double Stepper::first_step() const {
   return std::min(100.0 * guess, other);
 }
 
-// States of a drive that are integrated tend to constants while the input is held. An explicit method that takes a lag
-// of microseconds at the edge of its stability never gets there: it keeps an error about its tolerance, and steps of
-// the lag's own length for good. Until they have arrived no step is longer than the time in which the last of them
-// would at its present speed. The last, not the first: a lag that follows a warming coil passes its own end on the way,
-// at full speed.
-void Stepper::approach_drive_end() {
-  const double* states = values_.data() + 2 * model_.joints();
-  const double* slopes = slopes_.data() + 2 * model_.joints();
-  double arrival = 0.0;
-  for (Eigen::Index i = 0; i < drive_end_.size(); ++i) {
-    const double away = std::abs(drive_end_[i] - states[i]);
-    if (away > drive_tolerance) arrival = std::max(arrival, slopes[i] == 0.0 ? next_step_ : away / std::abs(slopes[i]));
-  }
-  if (arrival > 0.0) next_step_ = std::min(next_step_, arrival);
-}
-
-// States that are set to exactly where they end do not move any more, and limit no step.
-void Stepper::rest_drive() {
-  Eigen::Map<Eigen::VectorXd> states(values_.data() + 2 * model_.joints(), drive_end_.size());
-  if (!((states - drive_end_).lpNorm<Eigen::Infinity>() <= drive_tolerance)) return;
-  states = drive_end_;
-  drive_end_.resize(0);
-  derive(values_, slopes_, time_);
-}
-
 void Stepper::step() {
-  if (drive_end_.size() > 0) {
-    rest_drive();
-    approach_drive_end();
-  }
-  constexpr double gone = 1e-17;
-  if (!fading_.empty() && fading_share(time_) < gone) fading_.clear();
+  if (drive_.come_to_rest(values_)) derive(values_, slopes_, time_);
+  next_step_ = drive_.longest_step(values_, slopes_, next_step_);
+  drive_.forget_what_is_gone(time_);
   previous_values_ = values_;
   previous_slopes_ = slopes_;
   previous_time_ = time_;
@@ -380,8 +289,8 @@ bool Stepper::step_stiffly(double frequency) {
 
 double Stepper::first_contact() const {
   double first = time_;
-  const PackedState before = whole(previous_values_, previous_time_);
-  const PackedState after = whole(values_, time_);
+  const PackedState before = drive_.whole(previous_values_, previous_time_);
+  const PackedState after = drive_.whole(values_, time_);
   for (int j = 0; j < model_.joints(); ++j) {
     const double closing = model_.hinges()[j].contact.closing_angle;
     const bool pressed = before[j] < closing;
@@ -409,7 +318,7 @@ State Stepper::at(double time) const {
   PackedState values(values_.size());
   controlled_.stepper().calc_state(time, values, previous_values_, previous_slopes_, previous_time_, values_, slopes_,
                                    time_);
-  return unpack(whole(std::move(values), time));
+  return unpack(drive_.whole(std::move(values), time));
 }
 
 Stepper::Bending Stepper::bending() const {
@@ -418,8 +327,10 @@ Stepper::Bending Stepper::bending() const {
     return std::accumulate(values.begin() + first, values.begin() + first + n, 0.0);
   };
   const PackedState values = packed();
-  const double fading = fading_.empty() ? 0.0 : fading_share(time_) / lag_ * sum(fading_, n);
-  return {.time = time_, .angle = sum(values, 0), .speed = sum(values, n), .acceleration = sum(slopes_, n) - fading};
+  return {.time = time_,
+          .angle = sum(values, 0),
+          .speed = sum(values, n),
+          .acceleration = sum(slopes_, n) + drive_.fading_slope(n, n, time_)};
 }
 
 State Stepper::unpack(const PackedState& values) const {

@@ -1,31 +1,19 @@
 #pragma once
 
-#include <boost/container/static_vector.hpp>
 #include <boost/numeric/odeint/algebra/default_operations.hpp>
 #include <boost/numeric/odeint/algebra/range_algebra.hpp>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
-#include <boost/type_traits/integral_constant.hpp>
 #include <optional>
 #include <utility>
 
 #include "coilwright/actuator/model/model.hpp"
-#include "coilwright/algebra/lagged_curve.hpp"
 #include "coilwright/algebra/smooth_curve.hpp"
 #include "coilwright/simulation/state.hpp"
 #include "frozen_contact.hpp"
+#include "known_drive.hpp"
+#include "packed_state.hpp"
 #include "rosenbrock_step.hpp"
-
-namespace coilwright::simulation {
-
-/// Angles, then rates, base to tip, then the effects' states (and the slopes of all three); no heap.
-using PackedState = boost::container::static_vector<double, 2 * static_cast<std::size_t>(mechanics::max_joints) +
-                                                                actuator::max_internal_states>;
-
-}  // namespace coilwright::simulation
-
-template <>
-struct boost::numeric::odeint::is_resizeable<coilwright::simulation::PackedState> : boost::true_type {};
 
 namespace coilwright::simulation {
 
@@ -69,7 +57,7 @@ class Stepper {
   /// State at the end of the last step.
   [[nodiscard]] State now() const { return unpack(packed()); }
   /// The same without its three vectors, for whoever looks at every step.
-  [[nodiscard]] PackedState packed() const { return whole(values_, time_); }
+  [[nodiscard]] PackedState packed() const { return drive_.whole(values_, time_); }
   [[nodiscard]] Bending bending() const;
 
  private:
@@ -98,15 +86,8 @@ class Stepper {
   [[nodiscard]] std::optional<double> changed_share(const FrozenContact& contact, int joint, double step) const;
   [[nodiscard]] double first_change(const FrozenContact& contact, double step) const;
   void advance();
-  void approach_drive_end();
-  void rest_drive();
-  void split_fading();
-  void follow_curve();
+  [[nodiscard]] algebra::SmoothCurve drive_ends() const;
   [[nodiscard]] Input input_at(double time) const;
-  [[nodiscard]] double fading_share(double time) const;
-  [[nodiscard]] PackedState whole(PackedState values, double time) const;
-  void add_fading(PackedState& values, double share) const;
-  void set_drive(PackedState& values, double time) const;
   [[nodiscard]] double first_contact() const;  // in the last step; its end if there is none
   [[nodiscard]] double first_step() const;
   void derive(const PackedState& values, PackedState& slopes, double time) const;
@@ -117,16 +98,11 @@ class Stepper {
   Controlled controlled_;
   Input input_;
   std::optional<algebra::SmoothCurve> curve_;
-  std::optional<algebra::LaggedCurve> lagged_;  // the drive's states under the curve; nothing where they are integrated
-  double start_time_ = 0.0;
-  // Where the drive's states end under the held input; empty once they are there, and for a model without any.
-  Eigen::VectorXd drive_end_;
-  double lag_ = 0.0;    // of the drive (Model::drive_lag), s
-  PackedState fading_;  // what of the state fades with it, at the start; empty where nothing does. values_ are the rest
+  KnownDrive drive_;
   double time_ = 0.0;
   double previous_time_ = 0.0;
   double next_step_ = 1e-4;  // s; a hundredth of the fastest mode of a finger, adapted at once
-  PackedState values_;
+  PackedState values_;       // without what is known of the drive
   PackedState slopes_;
   PackedState previous_values_;
   PackedState previous_slopes_;

@@ -141,9 +141,10 @@ std::string compared_text(const Diagnosis& diagnosis) {
                probability_text(each.probability_of_noise),
                &each == reported && diagnosis.verdict != Verdict::incomplete ? "reported" : ""});
   }
-  const std::string_view given = diagnosis.verdict == Verdict::incomplete
-                                     ? "among those that were compared so far, by brief fits"
-                                     : "given that one of those that were fitted is true";
+  const std::string_view given =
+      diagnosis.verdict == Verdict::incomplete ? "among those that were compared so far, by brief fits"
+      : all.front().probability_of_noise < 0.5 ? "to be nearest, among those that were fitted; each lacks something"
+                                               : "given that one of those that were fitted is true";
   return "  Compared, most probable first\n" + table.text(4, {left, right, right, right, left}) +
          fmt::format(
              "  probability: {}. residual: rms on the fit runs\n"

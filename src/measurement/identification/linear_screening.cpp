@@ -118,11 +118,11 @@ std::vector<Effect> starts_for_short_fit(const EffectKind* kind, std::span<const
   return out;
 }
 
-std::vector<Effect> own_starts(const EffectKind* kind, std::span<const ScreenedEffect> screened) {
+std::vector<Effect> own_starts(const EffectKind* kind, std::span<const ScreenedEffect> screened, std::size_t most) {
   std::vector<Effect> out;
   for (const ScreenedEffect* each : best_first(screened)) {
     if (each->guess.kind != kind) continue;
-    if (out.size() == search_effort.own_starts) break;
+    if (out.size() == most) break;
     out.push_back(each->guess);
   }
   return out;

@@ -38,10 +38,10 @@ struct ScreeningRequest {
 [[nodiscard]] std::vector<actuator::Effect> starts_for_short_fit(const actuator::EffectKind* kind,
                                                                  std::span<const ScreenedEffect> screened);
 
-/// Initial guesses of one kind at the strength of the guess itself, those of the largest predicted fall first, as many
-/// as SearchEffort allows.
+/// Initial guesses of one kind at the strength of the guess itself, those of the largest predicted fall first; at most
+/// `most`.
 [[nodiscard]] std::vector<actuator::Effect> own_starts(const actuator::EffectKind* kind,
-                                                       std::span<const ScreenedEffect> screened);
+                                                       std::span<const ScreenedEffect> screened, std::size_t most);
 
 /// The largest fall of chi-square that any guess of a kind predicts.
 [[nodiscard]] double largest_predicted_fall(const actuator::EffectKind* kind, std::span<const ScreenedEffect> screened);

@@ -23,6 +23,16 @@ double log_binomial(std::size_t of, std::size_t taken) {
   return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0);
 }
 
+// Of a discrepancy all records together tell as much as so many values of it that are independent of one another.
+constexpr double values_of_a_discrepancy = 30.0;
+
+// How much of the logarithm of the evidence counts. A discrepancy is no process that time makes anew: what a model
+// lacks comes back with every motion like the last one, and so does what a wrong effect can make of it.
+double share_of_evidence(const WeighedFit& heaviest) {
+  if (heaviest.probability_of_noise >= 0.5) return 1.0;
+  return std::min(1.0, values_of_a_discrepancy / heaviest.lengths_of_discrepancy);
+}
+
 // What are weights becomes probabilities.
 void add_up_to_one(Posterior& posterior) {
   double sum = 0.0;
@@ -86,8 +96,9 @@ WeighedHypotheses posterior_of(std::span<const replay::PreparedRun> runs, const 
   const auto fit_of = [&](std::size_t i) -> const FittedHypothesis& { return i == 0 ? declared : fitted[i - 1]; };
   tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) { all[i] = weighed(runs, fit_of(i), scale); });
   std::vector<std::size_t> best;  // fit of each hypothesis
+  double share = 1.0;
   const auto log_weight = [&](std::size_t i) {
-    return all[i].log_evidence + log_prior(fit_of(i).kinds(), kinds, beliefs);
+    return share * all[i].log_evidence + log_prior(fit_of(i).kinds(), kinds, beliefs);
   };
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto known = std::ranges::find_if(
@@ -97,6 +108,7 @@ WeighedHypotheses posterior_of(std::span<const replay::PreparedRun> runs, const 
     else if (log_weight(i) > log_weight(*known))
       *known = i;
   }
+  share = share_of_evidence(all[*std::ranges::max_element(best, {}, log_weight)]);
   std::ranges::stable_sort(best, std::ranges::greater{}, log_weight);
   WeighedHypotheses out{.posterior = {}, .weighed = {}, .fits = best};
   for (const std::size_t i : best) {

@@ -28,7 +28,9 @@ struct WeighedHypotheses {
 };
 
 /// `declared` and `fitted`, all fitted to `runs`, with their probabilities (weighed()). Of several fits of one
-/// hypothesis the best counts.
+/// hypothesis the best counts. Where the most probable lacks something, no hypothesis is true, and the evidence of each
+/// is raised to a power below 1: as if the records told as much of what is missing as 30 independent values of it
+/// (Miller and Dunson, J. Am. Stat. Assoc. 114 (2019) 1113: coarsening).
 [[nodiscard]] WeighedHypotheses posterior_of(std::span<const replay::PreparedRun> runs,
                                              const FittedHypothesis& declared,
                                              const std::vector<FittedHypothesis>& fitted,

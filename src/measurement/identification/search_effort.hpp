@@ -37,8 +37,10 @@ struct SearchEffort {
   /// Effects of several numbers are tried from their own starts, too, where they explain less than this fraction of
   /// what is above the noise.
   double next_to_nothing = 0.05;
-  /// The largest number of such starts of one effect, those of the largest predicted fall of chi-square.
+  /// The largest number of such starts of one effect, those of the largest predicted fall of chi-square; and of one
+  /// that is added to another.
   std::size_t own_starts = 6;
+  std::size_t own_starts_of_more = 2;
   /// End of a fit from there, whose way is longer; likewise.
   fit::FitEffort own_start_fit{.iterations = 20, .tolerance = 1e-2};
   /// A short fit that fails is repeated with this fraction of the start's strength, near the model without the effect.

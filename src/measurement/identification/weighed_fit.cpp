@@ -202,14 +202,17 @@ class Weighing {
     return static_cast<double>(out);
   }
 
+  double samples() const {
+    double out = 0.0;
+    for (const Block& block : blocks_) out += static_cast<double>(block.rows.rows());
+    return out;
+  }
+
   // Beyond four times what is left over nothing is probable.
   double largest_deviation() const {
-    double squares = 0.0, samples = 1.0;
-    for (const Block& block : blocks_) {
-      squares += block.rows.col(0).squaredNorm();
-      samples += static_cast<double>(block.rows.rows());
-    }
-    return 4.0 * std::sqrt(1.0 + squares / samples);
+    double squares = 0.0;
+    for (const Block& block : blocks_) squares += block.rows.col(0).squaredNorm();
+    return 4.0 * std::sqrt(1.0 + squares / (1.0 + samples()));
   }
 
   bool any_of_series(bool Series::*what) const {
@@ -242,6 +245,7 @@ class Weighing {
       log_z += 0.5 * (std::log(2.0 * std::numbers::pi) - std::log(std::max(each, least_mode)));
     for (const double unit : mode.units) log_z += std::log(unit);
     WeighedFit out{.log_evidence = log_z, .discrepancy = left.missing};
+    if (left.missing.deviation > 0.0) out.lengths_of_discrepancy = samples() / left.missing.length;
     out.values = fitted_.hypothesis.clamped(fitted_.fit.values + priors_.slopes.cwiseProduct(mode.step));
     const Eigen::MatrixXd& vectors = mode.modes.vectors;
     const Eigen::VectorXd variances = mode.modes.values.cwiseMax(least_mode).cwiseInverse();

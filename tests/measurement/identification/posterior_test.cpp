@@ -87,5 +87,26 @@ TEST(PosteriorOf, NormalisesAndPutsTheLikeliestFirst) {
       1e-9);
 }
 
+// A wave of three times the noise that no hypothesis has: 800 samples have 800 / l values of it, and count for 30.
+TEST(PosteriorOf, CountsThirtyValuesOfWhatEveryHypothesisLacks) {
+  const replay::DeclaredModel declared = slide(true_mass, true_damping);
+  int sample = 0;
+  const data::Run run = slide_run(800, {}, [&] { return 3.0 * noise_sigma * std::sin(0.3 * sample++); });
+  const std::vector<replay::PreparedRun> runs{replay::prepare_run(run, declared, model_of(declared))};
+  const actuator::RigScale scale = rig_scale(runs, model_of(declared));
+  const std::vector<const EffectKind*> kinds{&catalogued("angle_offset"), &catalogued("quadratic_drag")};
+  const FittedHypothesis none = fitted_to(runs, declared, {});
+  const FittedHypothesis zero = fitted_to(runs, declared, {{.kind = kinds[0], .values = {0.01}}});
+  const WeighedHypotheses all = posterior_of(runs, none, {zero}, kinds, scale);
+  const std::vector<WeighedHypothesis>& odds = all.posterior.hypotheses;
+  ASSERT_EQ(odds.size(), 2u);
+  ASSERT_LT(odds[0].probability_of_noise, 0.01);
+  const double values = 800.0 / odds[0].lacks_over;
+  ASSERT_GT(values, 60.0);
+  const double prior = log_prior(odds[0].effects, kinds) - log_prior(odds[1].effects, kinds);
+  EXPECT_NEAR(std::log(odds[0].probability / odds[1].probability),
+              30.0 / values * (odds[0].log_evidence - odds[1].log_evidence) + prior, 1e-9);
+}
+
 }  // namespace
 }  // namespace coilwright::measurement::identification

@@ -13,7 +13,8 @@ struct WeighedHypothesis {
   std::vector<const actuator::EffectKind*> effects{};  ///< empty: the declared model, recalibrated
   double chi_square{};                                 ///< sum of squared residuals of the fit runs over their noise
   double log_evidence{};                               ///< natural logarithm, over that of no effect
-  double probability{};                                ///< among all that were fitted
+  /// Among all that were fitted. Where the most probable lacks something, evidence counts for less than its size.
+  double probability{};
   /// What it lacks, most probably: standard deviation over that of the noise, and correlation length in samples.
   double lacks{}, lacks_over{};
   double probability_of_noise{};  ///< that it lacks less than a tenth of the noise

@@ -280,6 +280,8 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
     append(out.warnings, errors->warnings());
   }
   append(out.warnings, warnings_of(out, runs, declared));
+  if (found.has_effects())
+    if (auto alone = support_in_one_run(runs, found.before.fit, found.after.fit)) out.warnings.push_back(*alone);
   timer.end_phase("final errors");
   out.phases = timer.phases();
   return out;

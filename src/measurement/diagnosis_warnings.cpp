@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "coilwright/simulation/equilibrium.hpp"
 #include "coilwright/simulation/modes.hpp"
@@ -143,6 +145,33 @@ void warn_of_far_input_errors(std::vector<data::Warning>& out, std::span<const r
 }
 
 }  // namespace
+
+std::optional<data::Warning> support_in_one_run(std::span<const replay::PreparedRun> runs, const fit::Fit& without,
+                                                const fit::Fit& with) {
+  constexpr std::size_t fewest_runs = 3;
+  constexpr double nearly_all = 0.9;
+  if (runs.size() < fewest_runs) return std::nullopt;
+  std::vector<double> explained;
+  Eigen::Index row = 0;
+  std::size_t window = 0;
+  for (const replay::PreparedRun& run : runs) {
+    explained.push_back(0.0);
+    for (std::size_t k = 0; k < run.sample_ranges().size(); ++k) {
+      const Eigen::Index rows = without.parameter_columns[window++].rows();
+      explained.back() += without.stacked_residuals.segment(row, rows).squaredNorm() -
+                          with.stacked_residuals.segment(row, rows).squaredNorm();
+      row += rows;
+    }
+  }
+  const auto most = std::ranges::max_element(explained);
+  const double all = std::accumulate(explained.begin(), explained.end(), 0.0);
+  if (!(*most > 0.0) || *most < nearly_all * all) return std::nullopt;
+  return data::Warning{
+      .run = runs[static_cast<std::size_t>(most - explained.begin())].run->name,
+      .text = fmt::format("{:.0f} % of what the effects explain is in this run alone: an input, a clock or a pose that "
+                          "is not this run's looks like that; check them, and repeat the run before you build on it",
+                          all > *most ? 100.0 * *most / all : 100.0)};
+}
 
 std::vector<data::Warning> warnings_of(const Diagnosis& diagnosis, std::span<const replay::PreparedRun> runs,
                                        const replay::DeclaredModel& declared) {

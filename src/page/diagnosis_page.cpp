@@ -274,15 +274,15 @@ Page diagnosis_page(const std::filesystem::path& folder, const Node& diagnosis, 
             .cautions = texts_of(summary, "cautions"),
             .origin = origin_text(folder, made_by),
             .inputs = input_lines(folder)};
-  Section warnings = warnings_section(diagnosis);
+  if (Section warnings = warnings_section(diagnosis); !warnings.blocks.empty())
+    page.sections.push_back(std::move(warnings));
   page.sections.push_back(effects_section(diagnosis));
-  page.sections.push_back(assumed_section(summary));
-  page.sections.push_back(errors_section(diagnosis));
   for (Section& section : runs_sections(folder, diagnosis)) page.sections.push_back(std::move(section));
+  page.sections.push_back(errors_section(diagnosis));
   page.sections.push_back(torque_section(diagnosis));
   page.sections.push_back(candidates_section(diagnosis));
   page.sections.push_back(next_section(folder, diagnosis));
-  if (!warnings.blocks.empty()) page.sections.push_back(std::move(warnings));
+  page.sections.push_back(assumed_section(summary));
   return page;
 }
 

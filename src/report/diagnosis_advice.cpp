@@ -21,10 +21,6 @@ constexpr double far = 2.0;
 constexpr double very_far = 3.0;
 constexpr std::size_t most_to_measure = 3;
 
-bool is_colour_unknown(const signals::NoiseLevel& level) {
-  return level.colour.starts_with("taken as white");
-}
-
 // Declared numbers that moved far; if none did, and they are off together, those that moved most. Where one is off by
 // itself, those beside it have moved for its sake.
 std::vector<std::string> numbers_to_measure(const Diagnosis& diagnosis) {
@@ -135,7 +131,8 @@ std::vector<std::string> risen_errors(const Diagnosis& diagnosis) {
     if (!diagnosis.effects.empty() && has_risen(errors->before, errors->after, errors->noise_floor_rmse))
       add(errors->before.rmse, "without the effects", errors->after.rmse, "with them");
     else if (has_risen(errors->declared, errors->after, errors->noise_floor_rmse))
-      add(errors->declared.rmse, "as declared", errors->after.rmse, "fitted anew");
+      add(errors->declared.rmse, "as declared", errors->after.rmse,
+          diagnosis.effects.empty() ? "fitted anew" : "with the effects");
   }
   return out;
 }
@@ -165,7 +162,7 @@ std::string refusal(const formats::DiagnosisReport& report) {
 bool may_be_the_camera(const Diagnosis& diagnosis) {
   // Colour alone makes no more of noise whose level was taken from one sample to the next.
   constexpr double most_of_colour = 10.0;
-  return !diagnosis.noise.empty() && std::ranges::all_of(diagnosis.noise, is_colour_unknown) &&
+  return !diagnosis.noise.empty() && std::ranges::all_of(diagnosis.noise, &signals::NoiseLevel::colour_unknown) &&
          diagnosis.after.level < most_of_colour;
 }
 
@@ -180,8 +177,8 @@ std::vector<std::string> next_steps(const formats::DiagnosisReport& report) {
                     report.updated_actuator));
   if (!diagnosis.unanswered_runs.empty())
     steps.push_back(
-        fmt::format("Look at the film and the wiring of {}. Where no current flowed, leave the run out and diagnose "
-                    "again, before anything else.",
+        fmt::format("Look at the film and the wiring of {}. Where no current flowed, leave the run out, or end its "
+                    "record before that, and diagnose again, before anything else.",
                     fmt::join(names_of_runs(diagnosis.unanswered_runs), ", ")));
   if (diagnosis.far_first_pose)
     steps.emplace_back(
@@ -207,7 +204,8 @@ std::vector<std::string> next_steps(const formats::DiagnosisReport& report) {
                     "average, or less.",
                     next.kind, next.input, next.why, number_text(next.open_bits), number_text(next.remaining_bits)));
   }
-  if (structure && std::ranges::any_of(diagnosis.noise, is_colour_unknown))
+  if ((structure || !diagnosis.after.is_white()) &&
+      std::ranges::any_of(diagnosis.noise, &signals::NoiseLevel::colour_unknown))
     steps.emplace_back(
         "Record ten seconds of the finger at rest (kind still): it tells whether what is left is noise of the camera.");
   if (structure)

@@ -86,7 +86,7 @@ std::string near_rivals_text(const Diagnosis& diagnosis) {
     }
   }
   if (text.empty()) return {};
-  return "  Worse by little, so that a small error of the model may have decided; how to see each at the rig:\n" + text;
+  return "  Nearly as good, so that a small error of the model may have decided; how to see each at the rig:\n" + text;
 }
 
 // Hypotheses that may be true in place of the reported one, and are in no set that was named.

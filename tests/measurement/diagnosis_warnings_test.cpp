@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "coilwright/actuator/model/effect_catalogue.hpp"
+#include "measurement/identification/slide_fits.hpp"
 #include "measurement/slider_model.hpp"
 
 namespace coilwright::measurement {
@@ -106,6 +108,32 @@ TEST(DiagnosisWarnings, SayWhenColouredNoiseMayBeTakenForStructure) {
   EXPECT_THAT(found.texts(slide(true_mass, 0.1)), ElementsAre(HasSubstr("it is taken for that noise")));
   found.diagnosis.after.structure = 0.9;
   EXPECT_THAT(found.texts(slide(true_mass, 0.1)), IsEmpty());
+}
+
+// A zero that is off by ten deviations of the noise, in as many of three runs as asked for.
+std::optional<data::Warning> support_of_a_zero_in(int runs_with_it) {
+  const replay::DeclaredModel declared = slide(true_mass, true_damping);
+  std::vector<data::Run> recorded;
+  for (int i = 0; i < 3; ++i) {
+    recorded.push_back(slide_run(100, {}, [&] { return i < runs_with_it ? 10.0 * noise_sigma : 0.0; }));
+    recorded.back().name = std::string(1, static_cast<char>('a' + i)) + ".csv";
+  }
+  std::vector<replay::PreparedRun> runs;
+  for (const data::Run& run : recorded)
+    runs.push_back(replay::prepare_run(run, declared, identification::model_of(declared)));
+  const actuator::EffectKind* zero = actuator::standard_effects().find("angle_offset");
+  return support_in_one_run(
+      runs, identification::fitted_to(runs, declared, {}).fit,
+      identification::fitted_to(runs, declared, {{.kind = zero, .values = {10.0 * noise_sigma}}}).fit);
+}
+
+TEST(SupportInOneRun, NamesTheRunThatAloneSpeaksForAnEffect) {
+  const auto alone = support_of_a_zero_in(1);
+  ASSERT_TRUE(alone.has_value());
+  EXPECT_EQ(alone->run, "a.csv");
+  EXPECT_THAT(alone->text, HasSubstr("100 % of what the effects explain is in this run alone"));
+  EXPECT_FALSE(support_of_a_zero_in(2).has_value());
+  EXPECT_FALSE(support_of_a_zero_in(3).has_value());
 }
 
 }  // namespace

@@ -129,7 +129,8 @@ TEST(DiagnosisAdvice, BeginsWithRunsThatDoNotAnswerTheirInput) {
   EXPECT_THAT(text, HasSubstr("is noise.\nCHECK THE RECORDS first. a.csv: keeps within little.\nAlike in b.csv.\n"));
   EXPECT_THAT(text, Not(HasSubstr("keeps within less")));  // one text is enough; the others are in diagnosis.json
   EXPECT_THAT(text, HasSubstr("What to do next\n  Look at the film and the wiring of a.csv, b.csv. Where no current "
-                              "flowed, leave the run out and diagnose again, before anything else.\n"));
+                              "flowed, leave the run out, or end its record before that, and diagnose again, before "
+                              "anything else.\n"));
 }
 
 TEST(DiagnosisAdvice, AsksForARunThatJudgesWhereNoneWasKept) {

@@ -74,14 +74,14 @@ TEST(DiagnosisRivals, SaysOfThoseThatAreWorseByLittleHowToSeeThem) {
                                weighed({effects.find("backlash")}, 14000.0, 0.0), weighed({}, 52000.0, 0.0)};
   const std::string text = rivals_text(diagnosis);
   EXPECT_THAT(text,
-              HasSubstr("  Worse by little, so that a small error of the model may have decided; how to see each "
+              HasSubstr("  Nearly as good, so that a small error of the model may have decided; how to see each "
                         "at the rig:\n    viscoelastic_creep (residual 1.01, where what is reported leaves 1)\n      " +
                         std::string(creep->check()) + "\n"));
   EXPECT_THAT(text, Not(HasSubstr("backlash (residual")));
   EXPECT_THAT(text, Not(HasSubstr("Nothing else that was tried")));
   // What these data cannot tell apart is said once.
   diagnosis.indistinguishable = {{&dry_friction, creep}};
-  EXPECT_THAT(rivals_text(diagnosis), Not(HasSubstr("Worse by little")));
+  EXPECT_THAT(rivals_text(diagnosis), Not(HasSubstr("Nearly as good")));
 }
 
 // A heating that is too uncertain to be named, and that nothing is missing.

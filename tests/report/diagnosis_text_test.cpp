@@ -126,6 +126,11 @@ TEST(DiagnosisText, SaysFirstThatTheErrorRisesOnRunsThatNoFitHasSeen) {
               HasSubstr("noise.\nOn the runs that no fit has seen the error of the angle rises from 1.4 without the "
                         "effects to 1.6 deg with them (rmse).\n"));
   EXPECT_THAT(text_of(diagnosis), HasSubstr("What to do next\n  Fit a run of the kind that was kept from the fit"));
+  // Less than without them, and more than as declared.
+  diagnosis.validate_errors.front().before = degrees(1.5, 1.7, 5.5);
+  diagnosis.validate_errors.front().declared = degrees(1.0, 1.2, 4.0);
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("rises from 1.2 as declared to 1.6 deg with the effects (rmse).\n"));
+  diagnosis.validate_errors = example().validate_errors;
   // A tenth of the noise is no rise.
   diagnosis.validate_errors.front().after = degrees(1.1, 1.42, 5.0);
   EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("rises")));
@@ -215,7 +220,8 @@ TEST(DiagnosisText, BlamesNothingWhereTheCameraMayHaveMadeWhatIsLeft) {
   diagnosis.effects.clear();
   diagnosis.verdict = Verdict::unexplained;
   EXPECT_THAT(text_of(diagnosis), HasSubstr("lacks something, and none of the known effects explains it.\n"));
-  diagnosis.noise = {{.channel = "bending_angle_deg", .colour = "taken as white: there is no still run"}};
+  diagnosis.noise = {
+      {.channel = "bending_angle_deg", .colour = "taken as white: there is no still run", .colour_unknown = true}};
   EXPECT_THAT(text_of(diagnosis),
               HasSubstr("unexplained\n\nSomething is left over that none of the known effects explains. Whether the "
                         "finger or the camera makes it,\nthese records cannot tell: none shows the noise of the camera "
@@ -229,6 +235,15 @@ TEST(DiagnosisText, BlamesNothingWhereTheCameraMayHaveMadeWhatIsLeft) {
   EXPECT_THAT(text_of(diagnosis), HasSubstr("lacks something, and none of the known effects explains it.\n"));
 }
 
+TEST(DiagnosisText, AsksForAStillRunWhereNoiseIsTakenForColoured) {
+  Diagnosis diagnosis = example();
+  diagnosis.noise = {{.channel = "bending_angle_deg", .colour = "taken as white: x", .colour_unknown = true}};
+  diagnosis.after.structure = 0.9;
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("ten seconds")));
+  diagnosis.after.structure = 2.0;
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("Record ten seconds of the finger at rest (kind still)"));
+}
+
 TEST(DiagnosisText, SaysOnWhatTheRestDependsOnlyWhereStructureRemains) {
   Diagnosis diagnosis = example();
   diagnosis.residual = localise::ResidualTorque{.rms = 0.2e-3,
@@ -239,8 +254,11 @@ TEST(DiagnosisText, SaysOnWhatTheRestDependsOnlyWhereStructureRemains) {
   diagnosis.verdict = Verdict::partly_explained;
   diagnosis.after.structure = 3.0;
   EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("ten seconds")));
-  diagnosis.noise = {
-      {.run = "a.csv", .channel = "bending_angle_deg", .sigma = 0.3 * degree, .colour = "taken as white: x"}};
+  diagnosis.noise = {{.run = "a.csv",
+                      .channel = "bending_angle_deg",
+                      .sigma = 0.3 * degree,
+                      .colour = "taken as white: x",
+                      .colour_unknown = true}};
   EXPECT_THAT(text_of(diagnosis), HasSubstr("Record ten seconds of the finger at rest (kind still)"));
   EXPECT_THAT(text_of(diagnosis), HasSubstr("What is left over, as a joint torque\n"
                                             "  rms 0.2 Nmm, where noise alone gives 0.05 Nmm\n"

@@ -90,6 +90,26 @@ def faults_of_api() -> list[str]:
     return found if rows else ["docs/api.md: has no rows"]
 
 
+def line_of(text: str) -> str:
+    return " ".join(text.split())
+
+
+def faults_of_quotes() -> list[str]:
+    """What a README shows of a program's text is in the text that is kept of it, but for the spaces. A block that begins
+    with a command has commands."""
+    kept = {line_of(line) for path in (ROOT / "results/reference").rglob("*.txt") for line in path.open(encoding="utf-8")}
+    found, quoted = [], 0
+    for page in [ROOT / "README.md", *sorted((ROOT / "studies").glob("*/README.md"))]:
+        for block in re.findall(r"^```\n(.*?)^```$", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL):
+            lines = [line for line in block.splitlines() if line.strip()]
+            if re.match(r"scripts/|python3 |apt-get ", lines[0]):
+                continue
+            quoted += len(lines)
+            found += [f"{page.relative_to(ROOT)}: results/reference has no line {line_of(line)!r}"
+                      for line in lines if line_of(line) not in kept]
+    return found if quoted else ["no README shows what a program prints any more"]
+
+
 def text_under(path: pathlib.Path) -> str:
     return "".join(text_of(file) for file in ([path] if path.is_file() else sorted(path.rglob("*.?pp"))))
 
@@ -113,7 +133,7 @@ def main() -> int:
     pages = sorted(page for folder in (ROOT.glob, (ROOT / "docs").rglob, (ROOT / "studies").rglob)
                    for page in folder("*.md"))
     faults = faults_of_links(pages) + faults_of_index() + faults_of_lists() + faults_of_api()
-    faults += faults_of_decisions()
+    faults += faults_of_decisions() + faults_of_quotes()
     print("\n".join(faults) if faults else f"{len(pages)} pages, all links lead somewhere")
     return 1 if faults or not pages else 0
 

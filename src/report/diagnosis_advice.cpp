@@ -21,16 +21,19 @@ constexpr double far = 2.0;
 constexpr double very_far = 3.0;
 constexpr std::size_t most_to_measure = 3;
 
-// Declared numbers that moved far; if none did, and they are off together, those that moved most. Where one is off by
-// itself, those beside it have moved for its sake.
+// Declared numbers that moved far; if none did, faces included, and they are off together, those that moved most. Where
+// one is off by itself, those beside it have moved for its sake.
 std::vector<std::string> numbers_to_measure(const Diagnosis& diagnosis) {
   if (!diagnosis.numbers_off.empty()) return numbers_off_to_measure(diagnosis);
   std::vector<const MovedNumber*> ordered;
-  for (const MovedNumber& each : diagnosis.nominal)
-    if (!each.idle_from) ordered.push_back(&each);
   const auto moved = [](const MovedNumber* each) { return std::abs(formats::tolerances_moved(*each)); };
+  bool together = diagnosis.verdict == Verdict::declared_numbers_off;
+  for (const MovedNumber& each : diagnosis.nominal)
+    if (!each.idle_from)
+      ordered.push_back(&each);
+    else if (moved(&each) > far)
+      together = false;
   std::ranges::stable_sort(ordered, std::greater{}, moved);
-  const bool together = diagnosis.verdict == Verdict::declared_numbers_off;
   std::vector<std::string> out;
   for (const MovedNumber* each : ordered) {
     if (out.size() == most_to_measure || (moved(each) <= far && !(together && out.empty()))) continue;

@@ -145,7 +145,12 @@ std::string compared_text(const Diagnosis& diagnosis) {
       diagnosis.verdict == Verdict::incomplete ? "among those that were compared so far, by brief fits"
       : all.front().probability_of_noise < 0.5 ? "to be nearest, among those that were fitted; each lacks something"
                                                : "given that one of those that were fitted is true";
+  const bool has_forms = std::ranges::any_of(all, [&](const WeighedHypothesis& each) {
+    return hypothesis(diagnosis.odds, each).find(" number") != std::string::npos;
+  });
   return "  Compared, most probable first\n" + table.text(4, {left, right, right, right, left}) +
+         (has_forms ? "  (n numbers): the effect with so many of its numbers fitted; the others are as if absent.\n"
+                    : "") +
          fmt::format(
              "  probability: {}. residual: rms on the fit runs\n"
              "  over the noise, 1 is noise alone. leaves noise: the probability that what is lacking is less than a "

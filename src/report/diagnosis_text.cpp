@@ -43,6 +43,14 @@ std::string name_with_rivals(const Diagnosis& diagnosis, const actuator::EffectK
   return fmt::format("either {} or {} (these data cannot tell which)", fmt::join(names, ", "), last);
 }
 
+// ", most of all NAME"; empty where nothing may move.
+std::string farthest_number(const Diagnosis& diagnosis) {
+  const auto moved = [](const MovedNumber& each) { return std::abs(formats::tolerances_moved(each)); };
+  const auto most = std::ranges::max_element(diagnosis.nominal, {}, moved);
+  if (most == diagnosis.nominal.end()) return "";
+  return fmt::format(", most of all {} ({:.1f} tolerances)", most->estimate.key, moved(*most));
+}
+
 std::string verdict_sentence(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
   for (const AddedEffect& each : diagnosis.effects) names.push_back(name_with_rivals(diagnosis, each.kind));
@@ -52,8 +60,11 @@ std::string verdict_sentence(const Diagnosis& diagnosis) {
       return "The declared model lacks nothing that these data show: fitted anew, it reaches the noise.";
     case Verdict::declared_numbers_off:
       if (!diagnosis.numbers_off.empty()) return numbers_off_sentence(diagnosis);
-      return "The declared numbers are off: moved further than their tolerances make likely, they explain these data, "
-             "and no missing effect does so decisively better.";
+      return fmt::format(
+          "The declared numbers are off{}: moved further than their tolerances make likely, they explain these data, "
+          "and "
+          "no missing effect does so decisively better.",
+          farthest_number(diagnosis));
     case Verdict::explained:
       return fmt::format("The declared model lacks {}; with {}, what is left over is noise.", effects,
                          names.size() == 1 ? "it" : "them");

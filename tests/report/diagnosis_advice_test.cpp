@@ -24,8 +24,10 @@ TEST(DiagnosisAdvice, SaysWhichNumbersToMeasure) {
       {.estimate = {.key = "/links/0/mass_kg", .value = 0.0202}, .declared = 0.02, .tolerance = 0.0005},
       {.estimate = {.key = "/links/1/mass_kg", .value = 0.0185}, .declared = 0.02, .tolerance = 0.0005}};
   const std::string text = text_of(diagnosis);
-  EXPECT_THAT(text, HasSubstr("The declared numbers are off: moved further than their tolerances make likely, they "
-                              "explain these data, and no missing effect does so decisively better.\n"));
+  EXPECT_THAT(text,
+              HasSubstr("The declared numbers are off, most of all /links/1/mass_kg (3.0 tolerances): moved further "
+                        "than their tolerances make likely, they explain these data, and no missing effect does so "
+                        "decisively better.\n"));
   EXPECT_THAT(text,
               HasSubstr("that fewer than 0.01 % of the\n  rigs built to their tolerances are as far off or further "
                         "(below 1 %: they are off, or an effect is missing).\n"));
@@ -43,6 +45,13 @@ TEST(DiagnosisAdvice, SaysWhichNumbersToMeasure) {
   diagnosis.nominal[1].estimate.value = 0.0191;
   EXPECT_THAT(text_of(diagnosis),
               HasSubstr("Weigh or measure /links/1/mass_kg (declared 0.02, these data say 0.0191),"));
+  // Faces that are not there are looked at, and explain it.
+  diagnosis.nominal.push_back({.estimate = {.key = "face_closing_deg", .value = -0.7},
+                               .declared = 0.07,
+                               .tolerance = 0.0175,
+                               .idle_from = -0.08});
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("are off, most of all face_closing_deg (8.6 tolerances): moved"));
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("Weigh or measure")));
 }
 
 TEST(DiagnosisAdvice, SaysHowToSeeAnEffectWithoutTheModel) {

@@ -114,6 +114,7 @@ TEST(DiagnosisRivals, SayWithHowManyNumbersAnEffectIsMeant) {
               HasSubstr("\n    dry_friction (3 numbers) (residual 1.008, where what is reported leaves 1)\n      " +
                         std::string(friction->with_further_numbers()->description()) + "\n"));
   EXPECT_THAT(compared_text(diagnosis), HasSubstr("\n    dry_friction (1 number) + quadratic_drag "));
+  EXPECT_THAT(compared_text(diagnosis), HasSubstr("  (n numbers): the effect with so many of its numbers fitted"));
 }
 
 }  // namespace

@@ -47,7 +47,8 @@ Fit fit_at(const FitRequest& request, std::span<const ResidualBlock> blocks, con
     run.normal_matrix += jacobian.transpose() * jacobian;
     run.gradient += jacobian.transpose() * there.residuals;
     out.stacked_residuals.segment(row, block.rows) = there.residuals;
-    out.jacobian.middleRows(row, block.rows) = jacobian;
+    // Without parameters there is no memory to point into.
+    if (p > 0) out.jacobian.middleRows(row, block.rows) = jacobian;
     out.local_bases.push_back(basis);
     out.parameter_columns.push_back(there.jacobian);
     out.local_columns.push_back(there.local_jacobian);
@@ -56,7 +57,7 @@ Fit fit_at(const FitRequest& request, std::span<const ResidualBlock> blocks, con
   }
   const Eigen::MatrixXd prior_jacobian = hypothesis.prior_jacobian(values, out.model_error);
   out.stacked_residuals.tail(prior.size()) = prior;
-  out.jacobian.bottomRows(prior.size()) = prior_jacobian;
+  if (p > 0) out.jacobian.bottomRows(prior.size()) = prior_jacobian;
   out.prior_chi_square = hypothesis.prior_residuals(values).squaredNorm();
   out.priors += prior.squaredNorm();
   out.normal_matrix = prior_jacobian.transpose() * prior_jacobian;

@@ -32,13 +32,17 @@ constexpr std::size_t most_hinted = 3;
 using identification::are_among;
 using identification::WeighedHypothesis;
 
-// The id of an effect; where it was compared with further numbers too, with how many it is meant to have.
-std::string name_among(const identification::Posterior& odds, const actuator::EffectKind* kind) {
+// Whether an effect was compared with other numbers of it, too.
+bool has_forms(const identification::Posterior& odds, const actuator::EffectKind* kind) {
   const auto is_another = [kind](const actuator::EffectKind* each) { return each != kind && each->id() == kind->id(); };
-  const bool is_twice = std::ranges::any_of(
+  return std::ranges::any_of(
       odds.hypotheses, [&](const WeighedHypothesis& each) { return std::ranges::any_of(each.effects, is_another); });
-  return is_twice ? fmt::format("{} ({})", kind->id(), counted(kind->parameters().size(), "number"))
-                  : std::string(kind->id());
+}
+
+// The id of an effect; where it has forms, with how many numbers it is meant.
+std::string name_among(const identification::Posterior& odds, const actuator::EffectKind* kind) {
+  return has_forms(odds, kind) ? fmt::format("{} ({})", kind->id(), counted(kind->parameters().size(), "number"))
+                               : std::string(kind->id());
 }
 
 // What a hypothesis is called in a sentence: "a + b".
@@ -134,9 +138,13 @@ std::string compared_text(const Diagnosis& diagnosis) {
   TextTable table;
   table.row({"", "probability", "residual", "leaves noise", ""});
   std::size_t count = 0;
+  bool shows_forms = false;
   for (const WeighedHypothesis& each : all) {
     if (count >= most_candidates && &each != reported && !each.effects.empty()) continue;
     ++count;
+    shows_forms = shows_forms || std::ranges::any_of(each.effects, [&](const actuator::EffectKind* kind) {
+                    return has_forms(diagnosis.odds, kind);
+                  });
     table.row({hypothesis(diagnosis.odds, each), probability_text(each.probability), number_text(residual_of(each)),
                probability_text(each.probability_of_noise),
                &each == reported && diagnosis.verdict != Verdict::incomplete ? "reported" : ""});
@@ -145,12 +153,9 @@ std::string compared_text(const Diagnosis& diagnosis) {
       diagnosis.verdict == Verdict::incomplete ? "among those that were compared so far, by brief fits"
       : all.front().probability_of_noise < 0.5 ? "to be nearest, among those that were fitted; each lacks something"
                                                : "given that one of those that were fitted is true";
-  const bool has_forms = std::ranges::any_of(all, [&](const WeighedHypothesis& each) {
-    return hypothesis(diagnosis.odds, each).find(" number") != std::string::npos;
-  });
   return "  Compared, most probable first\n" + table.text(4, {left, right, right, right, left}) +
-         (has_forms ? "  (n numbers): the effect with so many of its numbers fitted; the others are as if absent.\n"
-                    : "") +
+         (shows_forms ? "  (n numbers): the effect with so many of its numbers fitted; the others are as if absent.\n"
+                      : "") +
          fmt::format(
              "  probability: {}. residual: rms on the fit runs\n"
              "  over the noise, 1 is noise alone. leaves noise: the probability that what is lacking is less than a "

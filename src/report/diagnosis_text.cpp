@@ -61,9 +61,8 @@ std::string verdict_sentence(const Diagnosis& diagnosis) {
     case Verdict::declared_numbers_off:
       if (!diagnosis.numbers_off.empty()) return numbers_off_sentence(diagnosis);
       return fmt::format(
-          "The declared numbers are off{}: moved further than their tolerances make likely, they explain these data, "
-          "and "
-          "no missing effect does so decisively better.",
+          "The declared numbers are off{}: moved further than their tolerances make likely, they explain these "
+          "data, and no missing effect does so decisively better.",
           farthest_number(diagnosis));
     case Verdict::explained:
       return fmt::format("The declared model lacks {}; with {}, what is left over is noise.", effects,

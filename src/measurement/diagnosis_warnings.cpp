@@ -111,11 +111,16 @@ void warn_of_short_lags(std::vector<data::Warning>& out, const Diagnosis& diagno
 // Noise that is correlated from picture to picture looks like structure of the motion.
 void warn_of_unknown_colour(std::vector<data::Warning>& out, const Diagnosis& diagnosis,
                             std::span<const replay::PreparedRun> runs) {
-  const bool is_unknown = std::ranges::any_of(runs, [](const replay::PreparedRun& prepared) {
-    return prepared.is_motion() && std::ranges::any_of(prepared.noise, &signals::NoiseLevel::colour_unknown);
-  });
   const bool structured = diagnosis.verdict == Verdict::partly_explained || diagnosis.verdict == Verdict::unexplained;
-  if (!is_unknown || (!structured && diagnosis.after.is_white())) return;
+  if (!structured && diagnosis.after.is_white()) return;
+  // Only noise whose size the set gives is taken for coloured (identification::weighed).
+  const auto is_meant = [&](const signals::NoiseLevel& level) {
+    return level.colour_unknown && (structured || level.given);
+  };
+  if (std::ranges::none_of(runs, [&](const replay::PreparedRun& prepared) {
+        return prepared.is_motion() && std::ranges::any_of(prepared.noise, is_meant);
+      }))
+    return;
   out.push_back(
       {.run = "",
        .text = fmt::format(

@@ -105,6 +105,8 @@ TEST(DiagnosisWarnings, SayWhenColouredNoiseMayBeTakenForStructure) {
   EXPECT_THAT(texts.front(), HasSubstr("cannot be told from a missing effect; ten seconds of a still finger"));
   found.diagnosis.verdict = Verdict::no_missing_effect;
   found.diagnosis.after.level = 1.0;
+  EXPECT_THAT(found.texts(slide(true_mass, 0.1)), IsEmpty());  // no size was given that it could have
+  found.runs.front().noise.front().given = true;
   EXPECT_THAT(found.texts(slide(true_mass, 0.1)), ElementsAre(HasSubstr("it is taken for that noise")));
   found.diagnosis.after.structure = 0.9;
   EXPECT_THAT(found.texts(slide(true_mass, 0.1)), IsEmpty());

@@ -83,6 +83,12 @@ std::string between_underscores(std::string_view name) {
 
 }  // namespace
 
+std::string must_be_one_of(std::span<const std::string> legal) {
+  std::vector<std::string> shown;
+  for (const std::string& word : legal) shown.push_back(in_quotes(word));
+  return fmt::format("must be {}{}", legal.size() == 1 ? "" : "one of ", fmt::join(shown, ", "));
+}
+
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
   const auto begins = [&](const std::string& each) { return each.starts_with(word); };
   const auto has = [&, inside = between_underscores(word)](const std::string& each) {

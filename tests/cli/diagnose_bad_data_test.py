@@ -287,7 +287,7 @@ class BadData(ProgramTest):
                             "nowhere: cannot be opened: No such file or directory")
         (self.folder / "empty").mkdir()
         self.assert_refused(["diagnose", "empty", "--out", "out"],
-                            "empty/dataset.json: cannot be opened: No such file or directory")
+                            "empty: has no dataset.json: coilwright init dataset --from RECORDS makes one of your records")
         self.write("set/dataset.json", '{"format": "measured-data/1", "runs": [')
         self.assert_refused(["diagnose", "set", "--out", "out"],
                             "set/dataset.json: line 1, column 40: ends before its JSON value is complete")

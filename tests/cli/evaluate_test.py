@@ -267,7 +267,7 @@ class Evaluate(ProgramTest):
              '/coil/inner_radius_m: unknown key; did you mean "inner_radius_mm"?'),
             (changed(lambda a: a.pop("configuration")), '/: needs one of "configuration", "layout"'),
             (changed(lambda a: a.update(layout=["coil", "magnet"])), '/layout: cannot stand beside "configuration"'),
-            (changed(lambda a: a.pop("format")), "/format: is missing"),
+            (changed(lambda a: a.pop("format")), '/format: is missing: it must be one of "actuator/1", "lumped-model/1"'),
             (changed(lambda a: a.update(format="actuator/2")),
              '/format: must be one of "actuator/1", "lumped-model/1"; got text "actuator/2"'),
             (plain.replace('"gap_mm"', '"gap_mm": 1, "gap_mm"'), "/body/gap_mm: duplicate key"),

@@ -19,6 +19,9 @@ namespace coilwright::text {
 /// letters (at least one) away.
 [[nodiscard]] std::vector<std::string> nearest_words(std::string_view word, std::span<const std::string> candidates);
 
+/// `must be "fit"`, `must be one of "fit", "validate"`: the rule of a text that is one of `legal` words.
+[[nodiscard]] std::string must_be_one_of(std::span<const std::string> legal);
+
 /// `; did you mean "evaluate"?`: the candidates that have `word` among their words ("mass" for "mass_g") or, where that
 /// is too many, those that begin with it, or else the nearest ones. Nothing when no candidate is near, or more than
 /// four are.

@@ -141,7 +141,7 @@ actuator::Layout read_row_of_design(ObjectReader& in) {
 
 std::string name_rule(const actuator::Parameter& parameter, std::string_view text) {
   const std::vector<std::string> names(parameter.names().begin(), parameter.names().end());
-  return fmt::format("must be one of \"{}\"", fmt::join(names, "\", \"")) + did_you_mean(text, names);
+  return must_be_one_of(names) + did_you_mean(text, names);
 }
 
 double read_name(const Node& node, const actuator::Parameter& parameter) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <exception>
 #include <functional>
 #include <utility>
@@ -40,6 +41,18 @@ Link read_link(const Node& node) {
             fmt::format("must be a length in m that a link of {:.4g} kg can have: is it in mm?", link.mass));
     return link;
   });
+}
+
+// Grams for kilograms: no chain is heavier than a cube of osmium, the densest of all metals, twice as wide as it is
+// long.
+void require_mass_in_kg(const std::vector<Node>& nodes, const std::vector<Link>& links) {
+  constexpr double density = 22590.0;  // kg/m^3
+  double length = 0.0;
+  for (const Link& link : links) length += std::max({link.length, std::abs(link.com_along), std::abs(link.com_offset)});
+  for (std::size_t i = 0; i < links.size(); ++i)
+    if (length > 0.0 && links[i].mass > density * std::pow(2.0 * length, 3))
+      throw nodes[i].find("mass_kg")->error(
+          fmt::format("must be a mass in kg that a chain of {:.3g} m can have: is it in g?", length));
 }
 
 // Writes the joint's part of `link` too.
@@ -117,8 +130,9 @@ LumpedModelContent read_lumped_model(ObjectReader& in, const actuator::EffectCat
   LumpedModelContent content;
   actuator::LumpedModel& model = content.model;
   model.gravity = in.quantity_or(gravity_key, usual_gravity, gravity_rule);
-  for (const Node& node : in.elements("links", Length::from_to(1, mechanics::max_joints)))
-    model.links.push_back(read_link(node));
+  const std::vector<Node> links = in.elements("links", Length::from_to(1, mechanics::max_joints));
+  for (const Node& node : links) model.links.push_back(read_link(node));
+  require_mass_in_kg(links, model.links);
   for (const Node& node : in.elements("joints", Length::exactly(model.links.size())))
     model.hinges.push_back(read_joint(node, model.links[model.hinges.size()]));
   if (const auto magnetics = in.find_not_null("magnetics")) read_magnetics(*magnetics, content);

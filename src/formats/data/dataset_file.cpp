@@ -140,8 +140,12 @@ DatasetFile read_document(const Document& document, const actuator::EffectCatalo
 
 DatasetFile read_dataset(const std::filesystem::path& path, const actuator::EffectCatalogue& known) {
   std::error_code unreadable;
-  const bool folder = std::filesystem::is_directory(path, unreadable);
-  return read_document(read_json(folder ? path / "dataset.json" : path), known);
+  if (!std::filesystem::is_directory(path, unreadable)) return read_document(read_json(path), known);
+  const std::filesystem::path file = path / "dataset.json";
+  if (!std::filesystem::exists(file, unreadable))
+    throw InputError({.file = path.string(),
+                      .rule = "has no dataset.json: coilwright init dataset --from RECORDS makes one of your records"});
+  return read_document(read_json(file), known);
 }
 
 DatasetFile parse_dataset(std::string_view text, std::string file, const actuator::EffectCatalogue& known) {

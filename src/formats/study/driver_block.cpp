@@ -38,8 +38,8 @@ void require_one_current(const actuator::Design& design) {
 
 SystemBlock read_driver_block(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
-    const auto kind = in.at("kind").choice<DriverTask::Kind>(
-        {{"h_bridge", DriverTask::Kind::h_bridge}, {"cell", DriverTask::Kind::cell}});
+    const auto kind = in.choice<DriverTask::Kind>(
+        "kind", {{"h_bridge", DriverTask::Kind::h_bridge}, {"cell", DriverTask::Kind::cell}});
     DriverTask task{.kind = kind};
     if (kind == DriverTask::Kind::cell) task.switch_resistance = usual_cell_switch;
     const std::vector<DriverNumber> all = driver_numbers();

@@ -181,7 +181,7 @@ def diagnose(records: Union[Records, Path], actuator: Union[Actuator, Path, None
     ...     cw.diagnose("configs")
     ... except cw.InputError as error:
     ...     print(error)
-    configs/dataset.json: cannot be opened: No such file or directory
+    configs: has no dataset.json: coilwright init dataset --from RECORDS makes one of your records
     """
     if isinstance(records, Records) and actuator is None:
         raise ValueError("actuator: must be given with records in memory, which lie in no folder to name one from")

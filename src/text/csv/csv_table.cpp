@@ -52,6 +52,10 @@ void CsvTable::require_increasing(std::string_view quantity, std::string_view of
   const std::string& key = name(quantity);
   const std::string rule = fmt::format("must exceed the value before it ({})", units::from_si(values[first - 1], key));
   if (disorder) throw error(quantity, first, rule + "; the rows are out of order: sort them by this column");
+  if (values.size() > 2 && restarts.size() + 1 == values.size())
+    throw error(
+        quantity, first,
+        rule + "; the clock runs backwards: sort the rows by this column, or change its sign where that is wrong");
   constexpr double counter = 4294967296.0;  // of a microcontroller's 32 bits
   if (restarts.size() == 1 && units::from_si(values[first - 1], key) > 0.99 * counter &&
       units::from_si(values[first - 1], key) < counter && units::from_si(values[first], key) < 0.01 * counter)

@@ -1,7 +1,6 @@
 #include "coilwright/text/json/node.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cassert>
 #include <cmath>
@@ -180,11 +179,9 @@ InputError Node::error_without_value(std::string rule) const {
 
 InputError Node::wrong_word(const std::vector<std::string>& legal) const {
   if (kind() != Kind::text) return error("must be a text");
-  std::vector<std::string> shown_words;
-  for (const std::string& word : legal) shown_words.push_back(in_quotes(word));
   // A format with another number is of another version, and not misspelt.
   const std::string meant = key_ == "format" ? "" : did_you_mean(text(), legal);
-  return error(fmt::format("must be {}{}{}", legal.size() == 1 ? "" : "one of ", fmt::join(shown_words, ", "), meant));
+  return error(must_be_one_of(legal) + meant);
 }
 
 std::string Node::shown() const {

@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "coilwright/text/json/json_pointer.hpp"
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/text/spelling.hpp"
@@ -111,8 +115,10 @@ std::string ObjectReader::name() {
 }
 
 void ObjectReader::literal(std::string_view key, std::string_view expected) {
-  const Node node = at(key);
-  if (node.text() != expected) throw node.error("must be " + in_quotes(expected));
+  const std::vector legal{std::string(expected)};
+  const auto node = find(key);
+  if (!node) throw missing(key, legal);
+  if (node->text() != expected) throw node->error(must_be_one_of(legal));
 }
 
 void ObjectReader::finish() const {
@@ -124,7 +130,7 @@ void ObjectReader::finish() const {
   }
 }
 
-InputError ObjectReader::missing(std::string_view key) const {
+InputError ObjectReader::missing(std::string_view key, const std::vector<std::string>& legal) const {
   std::vector<std::string> strangers;
   for (const std::string& present : node_.keys()) {
     if (asked_for_.contains(present)) continue;
@@ -133,9 +139,10 @@ InputError ObjectReader::missing(std::string_view key) const {
   }
   // Not all keys have been asked for yet, so the near one may be legal in its own right: a question, not a verdict.
   const std::vector<std::string> near = nearest_words(key, strangers);
-  return at_key(
-      node_, key,
-      near.empty() ? "is missing" : fmt::format("is missing; is {} meant to be it?", in_quotes(near.front())));
+  std::string rule = "is missing";
+  if (!legal.empty()) rule += ": it " + must_be_one_of(legal);
+  if (!near.empty()) rule += fmt::format("; is {} meant to be it?", in_quotes(near.front()));
+  return at_key(node_, key, std::move(rule));
 }
 
 InputError ObjectReader::unknown(const std::string& key) const {

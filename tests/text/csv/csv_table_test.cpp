@@ -195,6 +195,13 @@ TEST(CsvTable, ChecksThatAColumnIncreases) {
       "file holds 2 records: make a file of each, with the line of names; got 15");
 }
 
+TEST(CsvTable, TellsAClockThatRunsBackwards) {
+  const CsvTable table = bench("angle_deg,current_A\n0,1\n-1,2\n-2,3\n-3,4\n");
+  EXPECT_EQ(testing::error_of([&] { table.require_increasing("angle"); }),
+            "x.csv: line 3: column angle_deg: must exceed the value before it (0); the clock runs backwards: sort the "
+            "rows by this column, or change its sign where that is wrong; got -1");
+}
+
 TEST(CsvTable, TellsACounterThatOverflowsFromAClockThatStartsAgain) {
   const auto read = [](std::string_view text) {
     const CsvTable table = parse_csv(text, "x.csv", [](CsvHeader& header) { header.require("time_us"); });

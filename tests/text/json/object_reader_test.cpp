@@ -93,6 +93,19 @@ TEST(ObjectReader, RefusesAMissingKey) {
             "x.json: /coil/turns: is missing; is \"tuns\" meant to be it?");
 }
 
+TEST(ObjectReader, SaysWhatAMissingWordMayBe) {
+  const auto refusal = [](const auto& read) {
+    const Document document = parse_json(R"({"knd": "fit"})", "x.json");
+    return testing::error_of([&] { read_object(document.root(), read); });
+  };
+  EXPECT_EQ(refusal([](ObjectReader& in) { in.literal("format", "study/1"); }),
+            R"(x.json: /format: is missing: it must be "study/1")");
+  EXPECT_EQ(refusal([](ObjectReader& in) {
+              (void)in.choice<int>("kind", {{"fit", 0}, {"still", 1}});
+            }),
+            R"(x.json: /kind: is missing: it must be one of "fit", "still"; is "knd" meant to be it?)");
+}
+
 TEST(ObjectReader, RefusesAWrongTypeNamingBoth) {
   EXPECT_EQ(coil_refusal("[3]"), "x.json: /coil: must be an object; got an array of 1");
   EXPECT_EQ(coil_refusal(R"({"radius_mm": "9.9"})"), "x.json: /coil/radius_mm: must be a number; got text \"9.9\"");

@@ -85,7 +85,11 @@ class ObjectReader {
   /// The value of one of the listed words.
   template <class Value>
   [[nodiscard]] Value choice(std::string_view key, std::initializer_list<std::pair<std::string_view, Value>> words) {
-    return at(key).choice<Value>(words);
+    const auto node = find(key);
+    if (node) return node->choice<Value>(words);
+    std::vector<std::string> legal;
+    for (const auto& [word, value] : words) legal.emplace_back(word);
+    throw missing(key, legal);
   }
   /// The value of one of the listed words, or `otherwise` where the key is absent.
   template <class Value>
@@ -120,7 +124,8 @@ class ObjectReader {
   void finish() const;
 
  private:
-  [[nodiscard]] InputError missing(std::string_view key) const;
+  // `legal`: the words of which it must be one, where there are such.
+  [[nodiscard]] InputError missing(std::string_view key, const std::vector<std::string>& legal = {}) const;
   [[nodiscard]] InputError unknown(const std::string& key) const;
 
   Node node_;

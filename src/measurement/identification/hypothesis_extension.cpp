@@ -26,9 +26,20 @@ std::vector<PlannedExtension> without_repetitions(std::vector<PlannedExtension> 
   return planned;
 }
 
-PlannedExtension one_more(const FittedHypothesis& base, const std::vector<Effect>& starts) {
+PlannedExtension one_more(const FittedHypothesis& base, const EffectKind* kind,
+                          std::span<const ScreenedEffect> screened) {
   PlannedExtension out{.base = &base};
-  for (const Effect& start : starts) out.starts.push_back({start});
+  for (const Effect& start : starts_for_short_fit(kind, screened)) out.starts.push_back({start});
+  return out;
+}
+
+PlannedExtension one_more(const FittedHypothesis& base, const EffectKind* kind,
+                          std::span<const ScreenedEffect> screened, std::size_t own) {
+  PlannedExtension out = one_more(base, kind, screened);
+  out.predicted_fall = largest_predicted_fall(kind, screened);
+  // An effect of one number has one shape.
+  if (kind->parameters().size() < 2) return out;
+  for (Effect& start : own_starts(kind, screened, own)) out.further_starts.push_back({std::move(start)});
   return out;
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "coilwright/actuator/model/effect.hpp"
+#include "measurement/identification/linear_screening.hpp"
 #include "measurement/identification/staged_fit.hpp"
 
 namespace coilwright::measurement::identification {
@@ -26,7 +29,13 @@ struct PlannedExtension {
 /// The planned extensions, each set of effects only once: by the first extension that reaches it.
 [[nodiscard]] std::vector<PlannedExtension> without_repetitions(std::vector<PlannedExtension> planned);
 
-/// The extension of `base` by one effect from each of its starts.
-[[nodiscard]] PlannedExtension one_more(const FittedHypothesis& base, const std::vector<actuator::Effect>& starts);
+/// The extension of `base` by one effect from the starts that its screening promises most of.
+[[nodiscard]] PlannedExtension one_more(const FittedHypothesis& base, const actuator::EffectKind* kind,
+                                        std::span<const ScreenedEffect> screened);
+
+/// The same, with at most `own` further starts, of the strengths of the effect's guesses; none for an effect of one
+/// number.
+[[nodiscard]] PlannedExtension one_more(const FittedHypothesis& base, const actuator::EffectKind* kind,
+                                        std::span<const ScreenedEffect> screened, std::size_t own);
 
 }  // namespace coilwright::measurement::identification

@@ -275,22 +275,11 @@ class HypothesisSearch {
     return screen_effects(runs_, base, {.kinds = kinds_, .scale = scale_});
   }
 
-  // From the starts that the screening promises most of, and from so many of the effect's own.
-  [[nodiscard]] static PlannedExtension extension_by(const FittedHypothesis& base, const EffectKind* kind,
-                                                     const Screened& screened, std::size_t own) {
-    PlannedExtension out = one_more(base, starts_for_short_fit(kind, screened));
-    out.predicted_fall = largest_predicted_fall(kind, screened);
-    // An effect of one number has one shape.
-    if (kind->parameters().size() < 2) return out;
-    for (Effect& start : own_starts(kind, screened, own)) out.further_starts.push_back({std::move(start)});
-    return out;
-  }
-
   // Every effect alone.
   [[nodiscard]] HypothesesOfSize single_effects(const FittedHypothesis& base, const Screened& screened) {
     std::vector<PlannedExtension> planned;
     for (const EffectKind* kind : kinds_) {
-      PlannedExtension each = extension_by(base, kind, screened, search_effort.own_starts);
+      PlannedExtension each = one_more(base, kind, screened, search_effort.own_starts);
       const auto known = std::ranges::find(singles_, kind, &Effect::kind);
       if (known != singles_.end()) {
         each.starts.resize(std::min<std::size_t>(each.starts.size(), 1));
@@ -316,11 +305,11 @@ class HypothesisSearch {
       // extended by each.
       if (i == 0 && !is_far_from_noise(level[i])) {
         for (const EffectKind* kind : kinds_beside(level[i]))
-          planned.push_back(extension_by(level[i], kind, more, search_effort.own_starts_of_more));
+          planned.push_back(one_more(level[i], kind, more, search_effort.own_starts_of_more));
         continue;
       }
       for (const EffectKind* kind : kinds_by_predicted_fall(more, search_effort.extensions))
-        planned.push_back(one_more(level[i], starts_for_short_fit(kind, more)));
+        planned.push_back(one_more(level[i], kind, more));
     }
     for (const ScreenedCombination& each : combined) planned.push_back({.base = &base, .starts = {each.effects}});
     return best_of(without_repetitions(std::move(planned)), search_effort.refined_extensions);

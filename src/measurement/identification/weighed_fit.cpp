@@ -12,6 +12,7 @@
 #include "coilwright/algebra/spectral.hpp"
 #include "measurement/data/median_interval.hpp"
 #include "measurement/identification/prior_of_numbers.hpp"
+#include "measurement/identification/what_is_left.hpp"
 
 namespace coilwright::measurement::identification {
 namespace {
@@ -135,9 +136,9 @@ class Weighing {
       : fitted_(fitted), blocks_(blocks_of(runs, fitted.fit)), priors_(priors_of(fitted, scale)) {}
 
   WeighedFit run() const {
-    const std::vector<Left> grid = all_that_may_be_left();
+    const std::vector<WhatIsLeft> grid = all_that_may_be_left(range());
     std::vector<double> log_weights;
-    for (const Left& each : grid) log_weights.push_back(each.log_prior + of_residuals(each));
+    for (const WhatIsLeft& each : grid) log_weights.push_back(each.log_prior + of_residuals(each));
     const auto best = static_cast<std::size_t>(std::ranges::max_element(log_weights) - log_weights.begin());
     double sum = 0.0, small = 0.0;
     for (std::size_t i = 0; i < grid.size(); ++i) {
@@ -152,56 +153,6 @@ class Weighing {
   }
 
  private:
-  static constexpr double least_deviation = 0.02;
-  static constexpr double deviation_ratio = 1.6;
-  static constexpr double length_ratio = 2.0;
-  static constexpr int coloured_shares = 10;
-
-  // What may be left beside white noise.
-  struct Left {
-    Discrepancy missing;  // of every series
-    Discrepancy colour;   // of noise, in series that may be coloured
-    double log_prior{};
-
-    const Discrepancy& in(const Series& series) const { return series.may_be_coloured ? colour : missing; }
-  };
-
-  // Nothing is missing, or something: as probable one as the other. Half-Cauchy in the deviation, even in the logarithm
-  // of the length. Noise whose spectrum no record tells is white or not, as probable one as the other, and has the
-  // variance that is stated in either case: even in the share of it that is coloured.
-  std::vector<Left> all_that_may_be_left() const {
-    constexpr double shortest = 2.0;
-    const double span = std::log(std::max(longest() / 3.0, shortest * length_ratio) / shortest);
-    const auto cells = static_cast<int>(std::ceil(span / std::log(length_ratio)));
-    std::vector<double> lengths;
-    for (int i = 0; i < cells; ++i) lengths.push_back(shortest * std::exp(span * (i + 0.5) / cells));
-    const bool colours = any_of_series(&Series::may_be_coloured);
-    std::vector<Left> out{{.missing = {}, .colour = {}, .log_prior = (colours ? -2.0 : -1.0) * std::numbers::ln2}};
-    const double each = 0.5 * 2.0 / std::numbers::pi * std::log(deviation_ratio) / static_cast<double>(lengths.size());
-    for (const double length : lengths)
-      for (double deviation = least_deviation; deviation <= largest_deviation(); deviation *= deviation_ratio)
-        out.push_back({.missing = {.deviation = deviation, .length = length},
-                       .colour = {.deviation = deviation, .length = length},
-                       .log_prior = std::log(each * deviation / (1.0 + deviation * deviation))});
-    if (!colours) return out;
-    const double log_prior = std::log(0.25 / static_cast<double>(coloured_shares * lengths.size()));
-    for (const double length : lengths)
-      for (int i = 0; i < coloured_shares; ++i) {
-        const double share = (i + 0.5) / coloured_shares;
-        out.push_back({.missing = {},
-                       .colour = {.deviation = std::sqrt(share), .length = length, .white = 1.0 - share},
-                       .log_prior = log_prior});
-      }
-    return out;
-  }
-
-  double longest() const {
-    Eigen::Index out = 0;
-    for (const Block& block : blocks_)
-      for (const Series& series : block.series) out = std::max(out, series.samples());
-    return static_cast<double>(out);
-  }
-
   double samples() const {
     double out = 0.0;
     for (const Block& block : blocks_) out += static_cast<double>(block.rows.rows());
@@ -209,18 +160,20 @@ class Weighing {
   }
 
   // Beyond four times what is left over nothing is probable.
-  double largest_deviation() const {
+  RangeOfWhatIsLeft range() const {
     double squares = 0.0;
     for (const Block& block : blocks_) squares += block.rows.col(0).squaredNorm();
-    return 4.0 * std::sqrt(1.0 + squares / (1.0 + samples()));
-  }
-
-  bool any_of_series(bool Series::*what) const {
-    return std::ranges::any_of(blocks_, [&](const Block& block) { return std::ranges::any_of(block.series, what); });
+    RangeOfWhatIsLeft out{.largest_deviation = 4.0 * std::sqrt(1.0 + squares / (1.0 + samples()))};
+    for (const Block& block : blocks_)
+      for (const Series& series : block.series) {
+        out.longest = std::max(out.longest, series.samples());
+        out.may_be_coloured = out.may_be_coloured || series.may_be_coloured;
+      }
+    return out;
   }
 
   // Of the residuals as the fit leaves them.
-  double of_residuals(const Left& left) const {
+  double of_residuals(const WhatIsLeft& left) const {
     double out = 0.0;
     for (const Block& block : blocks_)
       for (const Series& series : block.series) {
@@ -233,7 +186,7 @@ class Weighing {
     return out;
   }
 
-  WeighedFit at(const Left& left) const {
+  WeighedFit at(const WhatIsLeft& left) const {
     const Eigen::Index size = fitted_.hypothesis.size();
     Quadratic sum{
         .constant = 0.0, .gradient = Eigen::VectorXd::Zero(size), .matrix = Eigen::MatrixXd::Zero(size, size)};
@@ -258,7 +211,7 @@ class Weighing {
 
   // Adds what a window says of the parameters, its local numbers eliminated. Returns the part of the logarithm of its
   // likelihood that does not depend on them.
-  double add(const Block& block, const Left& left, Quadratic& sum) const {
+  double add(const Block& block, const WhatIsLeft& left, Quadratic& sum) const {
     const Eigen::Index p = fitted_.hypothesis.size();
     const Eigen::Index locals = block.rows.cols() - 1 - p;
     double out = 0.0;

@@ -29,11 +29,9 @@ struct WeighedFit {
 /// - a declared number is known to its tolerance by Student's t with 4 degrees of freedom, so that one may be far off
 ///   without drawing the others along; where its prior has an end (faces), as probable from there to its bound as at
 ///   that end; the numbers of effects as prior_of_numbers() says;
-/// - nothing is missing with a probability of a half; otherwise the discrepancy's deviation over the noise is
-///   half-Cauchy, its length log-uniform from two samples to a third of the longest window. Both are integrated over a
-///   grid, on which what they do to the linear part is taken from the most probable pair;
-/// - noise whose level is stated and whose spectrum no record tells is white or coloured, as probable one as the other;
-///   coloured, an even share of its variance is a process of such a length, and the whole is what is stated.
+/// - what may be missing, or colour the noise, is summed over all_that_may_be_left(); what it does to the linear part
+/// is
+///   taken from its most probable place.
 /// One mode. The linear model is as good as the fit's derivatives: a hypothesis that is far from the noise is credited
 /// with more than a fit with its discrepancy would reach, never with less. (Kass and Raftery, J. Am. Stat. Assoc. 90
 /// (1995) 773, section 4.1; Lange, Little and Taylor, J. Am. Stat. Assoc. 84 (1989) 881 on Student's t.)

@@ -73,7 +73,9 @@ EffectProperties coil_lag() {
           .parameters = {from_zero("time_constant_ms", "of the current's answer to a step", 1.0)},
           .starts =
               [](const RigScale& scale) {
-                const double low = std::clamp(scale.interval, 2.0 * quasi_static, 0.1);
+                // A lag shows where the motion is fast, however rarely a camera looks.
+                const double fast = 0.05 * scale.angle / scale.rate;
+                const double low = std::clamp(std::min(scale.interval, fast), 2.0 * quasi_static, 0.1);
                 return one_by_one(log_spread(low, std::clamp(0.1 * scale.duration, 2.0 * low, 0.5), 3));
               },
           .build = [](Values values, ModelSpec& spec) -> Term {

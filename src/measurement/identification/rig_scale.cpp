@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <numbers>
+
+#include "measurement/data/median_interval.hpp"
 
 namespace coilwright::measurement::identification {
 namespace {
@@ -10,8 +14,10 @@ namespace {
 using actuator::RigScale;
 using mechanics::JointVector;
 
-// Rates are differences over so many samples: enough to average the noise, few compared with one oscillation.
-constexpr std::size_t slope_samples = 20;
+// Rates are differences over so many samples, enough to average the noise; but over no more than this share of the
+// period in which a joint swings by itself, within which the motion is nearly straight.
+constexpr double most_slope_samples = 20.0;
+constexpr double share_of_period = 0.2;
 
 // Sums over all motions, from which root mean squares follow.
 struct Sums {
@@ -32,9 +38,21 @@ void add_inputs(const replay::Window& window, const actuator::Model& nominal, Su
   }
 }
 
-void add_angles(const data::Run& run, const data::Channel& channel, int joints, Sums& sums) {
+// Of the joint that swings fastest, s; infinite where none has a spring.
+double shortest_period(const actuator::Model& nominal) {
+  const JointVector mobility = nominal.chain().joint_mobility();
+  double largest = 0.0;
+  for (int j = 0; j < nominal.joints(); ++j) largest = std::max(largest, nominal.hinges()[j].stiffness * mobility[j]);
+  return 2.0 * std::numbers::pi / std::sqrt(largest);
+}
+
+void add_angles(const replay::PreparedRun& prepared, std::size_t place, const actuator::Model& nominal, Sums& sums) {
+  const data::Run& run = *prepared.run;
+  const data::Channel& channel = run.channels[place];
   if (channel.kind != data::ChannelKind::bending_angle && channel.kind != data::ChannelKind::joint_angle) return;
-  const double share = channel.kind == data::ChannelKind::bending_angle ? 1.0 / joints : 1.0;
+  const double share = channel.kind == data::ChannelKind::bending_angle ? 1.0 / nominal.joints() : 1.0;
+  const double straight = share_of_period * shortest_period(nominal) / data::median_interval(run);
+  const auto apart = static_cast<std::size_t>(std::clamp(std::round(straight), 1.0, most_slope_samples));
   for (std::size_t i = 0; i < channel.values.size(); ++i) {
     const double angle = share * channel.values[i];
     sums.angle += angle;
@@ -42,20 +60,11 @@ void add_angles(const data::Run& run, const data::Channel& channel, int joints, 
     sums.upper = std::max(sums.upper, angle);
     sums.lower = std::min(sums.lower, angle);
     sums.angles += 1.0;
-    if (i < slope_samples) continue;
-    const double rate =
-        share * (channel.values[i] - channel.values[i - slope_samples]) / (run.times[i] - run.times[i - slope_samples]);
+    if (i < apart || prepared.is_set_aside(place, i) || prepared.is_set_aside(place, i - apart)) continue;
+    const double rate = share * (channel.values[i] - channel.values[i - apart]) / (run.times[i] - run.times[i - apart]);
     sums.rate += rate * rate;
     sums.rates += 1.0;
   }
-}
-
-double median_interval(const std::vector<double>& times) {
-  std::vector<double> intervals;
-  for (std::size_t i = 1; i < times.size(); ++i) intervals.push_back(times[i] - times[i - 1]);
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  return *middle;
 }
 
 double root_mean(double sum, double count, double fallback) {
@@ -72,8 +81,8 @@ RigScale rig_scale(std::span<const replay::PreparedRun> runs, const actuator::Mo
     if (!prepared.is_motion()) continue;
     const data::Run& run = *prepared.run;
     for (const replay::Window& window : prepared.windows) add_inputs(window, nominal, sums);
-    for (const data::Channel& channel : run.channels) add_angles(run, channel, nominal.joints(), sums);
-    scale.interval = std::min(scale.interval, median_interval(run.times));
+    for (std::size_t place = 0; place < run.channels.size(); ++place) add_angles(prepared, place, nominal, sums);
+    scale.interval = std::min(scale.interval, data::median_interval(run));
     scale.duration = std::max(scale.duration, run.times.back() - run.times.front());
   }
   const double mean = sums.angles > 0.0 ? sums.angle / sums.angles : 0.0;

@@ -409,6 +409,18 @@ TEST(LaboratorySet, KnowsWhatTolerancesAndClocksLeaveOfAnEffect) {
   EXPECT_GT(evidence("dry_friction", 0.3, listed).evidence, 30.0);
 }
 
+// A stop that the finger alone throws itself against lies beyond what friction leaves of its motion.
+TEST(LaboratorySet, KnowsWhatIsLeftOfAnEffectBesideAnother) {
+  const auto evidence_of_the_first = [](std::vector<std::string> hidden, std::vector<double> values) {
+    Request request{.hidden = std::move(hidden), .seed = 12, .programme = Programme::few};
+    request.values = std::move(values);
+    return make_laboratory_set(request).answer.common.hidden.front().evidence;
+  };
+  constexpr double stop = -2.0;  // deg
+  EXPECT_GT(evidence_of_the_first({"end_stop"}, {stop}), 100.0);
+  EXPECT_LT(evidence_of_the_first({"end_stop", "dry_friction"}, {stop, 0.8}), 1.0);
+}
+
 TEST(LaboratorySet, IsTheSameForTheSameRequestAndTellsNobody) {
   Request request{.hidden = {"hysteresis"}, .seed = 5, .programme = Programme::few};
   request.camera.jitter = 1e-4;

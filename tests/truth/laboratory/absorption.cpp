@@ -34,16 +34,22 @@ Absorption::Absorption(const Place& place) : place_(place) {
   unknowns_.push_back({[](Bench& bench, double by) { bench.finger.damping *= 1.0 + by; }, change, 0.0});
   if (place.request.tolerances != Tolerances::exact) add_numbers();
   add_clocks();
+}
+
+// Of the samples over the noise, above the priors.
+Eigen::MatrixXd Absorption::slopes_at(const Eigen::VectorXd& moves) const {
   const auto count = static_cast<Eigen::Index>(unknowns_.size());
   Eigen::Index samples = 0;
-  for (const Eigen::VectorXd& run : place.nominal) samples += run.size();
-  slope_ = Eigen::MatrixXd::Zero(samples + count, count);
+  for (const Eigen::VectorXd& run : place_.without) samples += run.size();
+  const RecordedAngles here = seen_with(moves);
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(samples + count, count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Unknown& unknown = unknowns_[static_cast<std::size_t>(i)];
-    slope_.col(i).head(samples) =
-        difference(place.nominal, seen_with(unknown.step * Eigen::VectorXd::Unit(count, i))) / unknown.step;
-    slope_(samples + i, i) = unknown.prior;
+    out.col(i).head(samples) =
+        difference(here, seen_with(moves + unknown.step * Eigen::VectorXd::Unit(count, i))) / unknown.step;
+    out(samples + i, i) = unknown.prior;
   }
+  return out;
 }
 
 void Absorption::add_numbers() {
@@ -111,37 +117,52 @@ RecordedAngles Absorption::seen_with(const Eigen::VectorXd& moves) const {
                     [](const RunClock& a, const RunClock& b) { return a.offset == b.offset && a.rate == b.rate; });
     another_finger = another_finger || !clock_only;
   }
-  RecordedAngles seen = place_.nominal;
+  RecordedAngles seen = place_.without;
   for (std::size_t run = 0; run < place_.fit.size(); ++run) {
     const RunClock& clock = bench.clocks[run];
     if (!another_finger && clock.offset == 0.0 && clock.rate == 0.0) continue;
     Experiment filmed = place_.fit[run];
     for (double& time : filmed.seen) time = std::max((1.0 + clock.rate) * time + clock.offset, 0.0);
-    seen[run] = camera_view(place_.request.channels, {}, filmed, simulate(bench.finger, {}, filmed));
+    seen[run] =
+        camera_view(place_.request.channels, place_.others, filmed, simulate(bench.finger, place_.others, filmed));
   }
   return seen;
 }
 
+// What is left of `moved`, and of the priors.
+Eigen::VectorXd Absorption::left_after(const Eigen::VectorXd& moves, const RecordedAngles& moved) const {
+  const Eigen::VectorXd angles = difference(seen_with(moves), moved);
+  Eigen::VectorXd left(angles.size() + moves.size());
+  left.head(angles.size()) = angles;
+  for (Eigen::Index i = 0; i < moves.size(); ++i)
+    left[angles.size() + i] = -unknowns_[static_cast<std::size_t>(i)].prior * moves[i];
+  return left;
+}
+
+// By Gauss and Newton, each step halved until it leaves less.
 double Absorption::left_of(const RecordedAngles& moved) const {
-  const auto count = static_cast<Eigen::Index>(unknowns_.size());
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(slope_);
-  Eigen::VectorXd moves = Eigen::VectorXd::Zero(count);
-  const Eigen::Index samples = slope_.rows() - count;
-  double least = difference(place_.nominal, moved).norm();
-  constexpr int steps = 4;
-  for (int step = 0; step < steps; ++step) {
-    Eigen::VectorXd left(slope_.rows());
-    try {
-      left.head(samples) = difference(seen_with(moves), moved);
-    } catch (const std::runtime_error&) {
-      break;  // such a finger leaves its range of angles
+  constexpr int most_steps = 12;
+  constexpr double shortest = 1.0 / 16.0;
+  constexpr double worth_a_step = 0.01;
+  Eigen::VectorXd moves = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns_.size()));
+  Eigen::VectorXd left = left_after(moves, moved);
+  for (int step = 0; step < most_steps; ++step) {
+    const double before = left.norm();
+    const Eigen::VectorXd whole = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(slopes_at(moves)).solve(left);
+    for (double share = 1.0; share >= shortest; share *= 0.5) {
+      try {
+        const Eigen::VectorXd there = left_after(moves + share * whole, moved);
+        if (there.norm() >= left.norm()) continue;
+        left = there;
+        moves += share * whole;
+        break;
+      } catch (const std::runtime_error&) {
+        continue;  // such a finger leaves its range of angles
+      }
     }
-    for (Eigen::Index i = 0; i < count; ++i)
-      left[samples + i] = -unknowns_[static_cast<std::size_t>(i)].prior * moves[i];
-    least = std::min(least, left.norm());
-    moves += solver.solve(left);
+    if (left.norm() > (1.0 - worth_a_step) * before) break;
   }
-  return least;
+  return left.norm();
 }
 
 }  // namespace truth::laboratory

@@ -15,20 +15,22 @@ namespace truth::laboratory {
 /// tolerances (unless the set calls them exact), the clock of each run, and an edge between two samples, within theirs.
 class Absorption {
  public:
-  /// The fit runs as they were filmed, and what the finger alone shows in them. Must outlive the absorption.
+  /// The fit runs as they were filmed, and what the finger shows in them without the effect. Must outlive the
+  /// absorption.
   struct Place {
     const Request& request;
     const BuiltFinger& built;
+    const UnmodelledEffects& others;         ///< that are hidden beside it
     const std::vector<PlannedRun>& planned;  ///< of the fit runs
     const std::vector<Experiment>& fit;
-    const RecordedAngles& nominal;
+    RecordedAngles without;
     double noise{};  ///< rad
   };
   explicit Absorption(const Place& place);
 
-  /// Standard deviations of the noise, over all samples, by which `moved` differs from the finger without effects at
-  /// least, what was moved counted in standard deviations of its prior. By a few Gauss-Newton steps with the slopes at
-  /// the true numbers: where these do not suit, it is too large, never too small.
+  /// Standard deviations of the noise, over all samples, by which `moved` differs from the finger without the effect
+  /// at least, what was moved counted in standard deviations of its prior. Where the search for the least fails, it is
+  /// too large, never too small.
   [[nodiscard]] double left_of(const RecordedAngles& moved) const;
 
  private:
@@ -47,12 +49,13 @@ class Absorption {
   void add_numbers();
   void add_clocks();
   [[nodiscard]] RecordedAngles seen_with(const Eigen::VectorXd& moves) const;
+  [[nodiscard]] Eigen::MatrixXd slopes_at(const Eigen::VectorXd& moves) const;
+  [[nodiscard]] Eigen::VectorXd left_after(const Eigen::VectorXd& moves, const RecordedAngles& moved) const;
   // What runs differ by, over the noise: as long as all samples together.
   [[nodiscard]] Eigen::VectorXd difference(const RecordedAngles& from, const RecordedAngles& to) const;
 
   Place place_;
   std::vector<Unknown> unknowns_;
-  Eigen::MatrixXd slope_;  // of the samples over the noise, above the priors
 };
 
 }  // namespace truth::laboratory

@@ -82,14 +82,9 @@ LaboratorySet make_laboratory_set(const Request& request) {
   all.chance = random.seed();
   if (!request.hidden.empty()) {
     const HidingPlace place(request.channels, built.finger, fit, request.noise.level);
-    const Absorption absorption({.request = request,
-                                 .built = built,
-                                 .planned = planned,
-                                 .fit = fit,
-                                 .nominal = place.nominal,
-                                 .noise = request.noise.level});
+    std::vector<UnmodelledEffects> each;
     for (std::size_t i = 0; i < request.hidden.size(); ++i) {
-      UnmodelledEffects alone;
+      UnmodelledEffects& alone = each.emplace_back();
       alone.chance = all.chance;
       HiddenEffect effect =
           hide(place,
@@ -100,9 +95,24 @@ LaboratorySet make_laboratory_set(const Request& request) {
                 .value = request.values.empty() ? std::nullopt : std::optional<double>(request.values[i]),
                 .find_confounders = request.find_confounders && request.hidden.size() == 1},
                random, alone);
-      effect.evidence = absorption.left_of(recorded_angles(request.channels, built.finger, alone, fit));
       add_effect(hidden_kind(request.hidden[i]), alone, all);
       set.answer.common.hidden.push_back(std::move(effect));
+    }
+    // Beside the others: a finger with friction may never reach the stop that it meets without.
+    const RecordedAngles together = recorded_angles(request.channels, built.finger, all, fit);
+    for (std::size_t i = 0; i < each.size(); ++i) {
+      UnmodelledEffects others;
+      others.chance = all.chance;
+      for (std::size_t k = 0; k < each.size(); ++k)
+        if (k != i) add_effect(hidden_kind(request.hidden[k]), each[k], others);
+      const Absorption absorption({.request = request,
+                                   .built = built,
+                                   .others = others,
+                                   .planned = planned,
+                                   .fit = fit,
+                                   .without = recorded_angles(request.channels, built.finger, others, fit),
+                                   .noise = request.noise.level});
+      set.answer.common.hidden[i].evidence = absorption.left_of(together);
     }
   }
   all.angle_scale *= built.angle_scale;

@@ -1,7 +1,6 @@
 #include "options.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <sched.h>
 
 #include <algorithm>
@@ -62,9 +61,7 @@ CLI::Validator whole_number_rule(const text::Rule& rule) {
 CLI::Validator word_rule(std::vector<std::string> words) {
   const auto complaint = [words = std::move(words)](std::string& argument) -> std::string {
     if (std::ranges::count(words, argument) > 0) return {};
-    std::vector<std::string> shown;
-    for (const std::string& word : words) shown.push_back(text::in_quotes(word));
-    return fmt::format("must be one of {}{}; got {}", fmt::join(shown, ", "), text::did_you_mean(argument, words),
+    return fmt::format("{}{}; got {}", text::must_be_one_of(words), text::did_you_mean(argument, words),
                        text::in_quotes(argument));
   };
   return CLI::Validator(complaint, "");

@@ -1,7 +1,6 @@
 #include "formats/actuator/actuator_reader.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <exception>
 #include <new>

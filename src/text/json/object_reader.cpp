@@ -115,10 +115,7 @@ std::string ObjectReader::name() {
 }
 
 void ObjectReader::literal(std::string_view key, std::string_view expected) {
-  const std::vector legal{std::string(expected)};
-  const auto node = find(key);
-  if (!node) throw missing(key, legal);
-  if (node->text() != expected) throw node->error(must_be_one_of(legal));
+  (void)choice<bool>(key, {{expected, true}});
 }
 
 void ObjectReader::finish() const {

@@ -376,12 +376,12 @@ TEST(LumpedModel, TakesATableInOtherUnits) {
             R"(a.json: /magnetics/1/angle_deg: cannot stand beside "coil")");
 }
 
-// Where a key's rule has no end, its unit has: one table for every reader.
 TEST(LumpedModel, RefusesGramsForKilograms) {
   EXPECT_EQ(actuator_refusal(changed(two_joints, R"("mass_kg": 0.017)", R"("mass_kg": 17)")),
             "a.json: /links/0/mass_kg: must be a mass in kg that a chain of 0.04 m can have: is it in g?; got 17");
 }
 
+// Where a key's rule has no end, its unit has: one table for every reader.
 TEST(LumpedModel, RefusesNumbersBeyondAnyHardware) {
   EXPECT_EQ(actuator_refusal(changed(two_joints, R"("mass_kg": 0.017)", R"("mass_kg": 1e298)")),
             "a.json: /links/0/mass_kg: must be > 0 and <= 1000; got 1e+298");

@@ -98,6 +98,24 @@ TEST(DiagnosisRivals, SayWhatIsNotToBeRuledOut) {
   EXPECT_THAT(rivals_text(diagnosis), HasSubstr("  Nothing else that was tried explains these data as well.\n"));
 }
 
+TEST(DiagnosisRivals, SayWhyWhatIsCertainIsNotReported) {
+  const std::string sentence =
+      "  More than what is reported is there, most probably, but moves nothing by more than a tenth of the noise.\n";
+  Diagnosis diagnosis = example();
+  diagnosis.indistinguishable.clear();
+  diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
+  diagnosis.odds.hypotheses = {weighed({&dry_friction, &coil_heating}, 11960.0, 1.0),
+                               weighed({&dry_friction}, 12000.0, 1e-8), weighed({}, 52000.0, 0.0)};
+  EXPECT_THAT(rivals_text(diagnosis),
+              HasSubstr("    dry_friction + coil_heating, with a probability of more than 0.999\n" + sentence));
+  diagnosis.verdict = Verdict::incomplete;
+  EXPECT_THAT(rivals_text(diagnosis), Not(HasSubstr(sentence)));
+  diagnosis.verdict = Verdict::explained;
+  diagnosis.odds.hypotheses = {weighed({&dry_friction, &coil_heating}, 11990.0, 0.85),
+                               weighed({&dry_friction}, 12000.0, 0.15)};
+  EXPECT_THAT(rivals_text(diagnosis), Not(HasSubstr(sentence)));
+}
+
 // A friction and a drag do what a friction that falls with the speed does: the names alone would not tell them apart.
 TEST(DiagnosisRivals, SayWithHowManyNumbersAnEffectIsMeant) {
   const actuator::EffectCatalogue& effects = actuator::standard_effects();

@@ -118,7 +118,8 @@ WeighedHypotheses posterior_of(std::span<const replay::PreparedRun> runs, const 
                                         .probability = std::exp(log_weight(i) - log_weight(best.front())),
                                         .lacks = all[i].discrepancy.deviation,
                                         .lacks_over = all[i].discrepancy.length,
-                                        .probability_of_noise = all[i].probability_of_noise});
+                                        .probability_of_noise = all[i].probability_of_noise,
+                                        .probability_of_declared = probability_of_declared_numbers(fit_of(i))});
     out.weighed.push_back(std::move(all[i]));
   }
   add_up_to_one(out.posterior);

@@ -1,6 +1,9 @@
 #include "coilwright/measurement/identification/verdict.hpp"
 
 #include <algorithm>
+#include <optional>
+
+#include "coilwright/measurement/identification/decision_thresholds.hpp"
 
 namespace coilwright::measurement::identification {
 namespace {
@@ -36,21 +39,37 @@ std::size_t most_probable_among(const Posterior& posterior, const Kinds& effects
   return static_cast<std::size_t>(found - posterior.hypotheses.begin());
 }
 
-std::size_t reported_of(const Posterior& posterior, double most_doubt) {
-  std::size_t out = 0;
-  while (true) {
-    const Kinds& effects = posterior.hypotheses[out].effects;
-    double doubt = most_doubt;
-    Kinds fewer = effects;
-    for (std::size_t i = 0; i < effects.size(); ++i) {
-      const double there = probability_among(posterior, without(effects, i));
-      if (there <= doubt) continue;
-      doubt = there;
-      fewer = without(effects, i);
-    }
-    if (fewer.size() == effects.size()) return out;
-    out = most_probable_among(posterior, fewer);
+// Whether a hypothesis does as well as the most probable one for all that anyone would see, with numbers as rigs built
+// to their tolerances have them.
+bool is_enough(const Posterior& posterior, const WeighedHypothesis& hypothesis, const Losses& losses) {
+  constexpr double negligible = decision_thresholds.least_over_noise * decision_thresholds.least_over_noise;
+  return hypothesis.chi_square <= (1.0 + negligible) * posterior.hypotheses.front().chi_square &&
+         hypothesis.probability_of_noise >= least_probability(losses.false_noise) &&
+         hypothesis.probability_of_declared >= decision_thresholds.least_probability;
+}
+
+// The most probable hypothesis that does without one of these effects; nothing where each is to be named.
+std::optional<std::size_t> without_one_of(const Posterior& posterior, const Kinds& effects, const Losses& losses) {
+  std::optional<std::size_t> out;
+  double probability = 0.0;
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    const Kinds fewer = without(effects, i);
+    const std::size_t place = most_probable_among(posterior, fewer);
+    const double there = probability_among(posterior, fewer);
+    if (there <= 1.0 - least_probability(losses.false_name) &&
+        !is_enough(posterior, posterior.hypotheses[place], losses))
+      continue;
+    if (out && there <= probability) continue;
+    out = place;
+    probability = there;
   }
+  return out;
+}
+
+std::size_t reported_of(const Posterior& posterior, const Losses& losses) {
+  std::size_t out = 0;
+  while (const auto fewer = without_one_of(posterior, posterior.hypotheses[out].effects, losses)) out = *fewer;
+  return out;
 }
 
 // Of the most probable that hold 95 % together those that lack a reported effect.
@@ -103,7 +122,7 @@ std::string_view name_of(Verdict verdict) {
 }
 
 Answer answer_of(const Posterior& posterior, const Losses& losses) {
-  Answer out{.reported = reported_of(posterior, 1.0 - least_probability(losses.false_name))};
+  Answer out{.reported = reported_of(posterior, losses)};
   const WeighedHypothesis& reported = posterior.hypotheses[out.reported];
   out.rivals = rivals_of(posterior, reported.effects);
   out.indistinguishable = indistinguishable_sets(posterior, reported.effects, out.rivals);

@@ -10,6 +10,7 @@
 
 #include "coilwright/algebra/definite.hpp"
 #include "coilwright/algebra/spectral.hpp"
+#include "coilwright/measurement/identification/decision_thresholds.hpp"
 #include "measurement/data/median_interval.hpp"
 #include "measurement/identification/prior_of_numbers.hpp"
 #include "measurement/identification/what_is_left.hpp"
@@ -19,8 +20,6 @@ namespace {
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// A discrepancy with less than this fraction of the noise's standard deviation changes nothing that anyone would see.
-constexpr double negligible = 0.1;
 // Where the level of the noise was told by the record itself, motion and colour enter it: it is known to some 10 %.
 constexpr double freedom_of_own_estimate = 50.0;
 // Degrees of freedom of the prior of a declared number.
@@ -144,7 +143,7 @@ class Weighing {
     for (std::size_t i = 0; i < grid.size(); ++i) {
       const double share = std::exp(log_weights[i] - log_weights[best]);
       sum += share;
-      if (grid[i].missing.deviation < negligible) small += share;
+      if (grid[i].missing.deviation < decision_thresholds.least_over_noise) small += share;
     }
     WeighedFit out = at(grid[best]);
     out.log_evidence += grid[best].log_prior + std::log(sum);

@@ -34,6 +34,7 @@ struct Outcome {
   bool found = false;            ///< every hidden effect is reported, or in a set reported with one that is
   bool invented = false;         ///< an effect is reported that stands for none that is hidden
   bool explained_wrong = false;  ///< `explained`, by other effects than the hidden ones
+  bool clear_missed = false;     ///< a hidden effect that by itself is clear is not found
   std::vector<StatedOdds> odds{};  ///< of every effect with a probability of 1 % or more
   Count effect_intervals{};
   Count number_intervals{};                  ///< stiffness, damping and declared numbers

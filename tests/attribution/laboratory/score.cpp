@@ -183,7 +183,8 @@ Outcome score(const Case& asked, const LaboratorySet& set, const std::string& di
   }
 
   const bool eased = asked.request.at_bound || !asked.request.values.empty();
-  outcome.visible = outcome.hidden.empty() || outcome.evidence >= (eased ? clear_at_bound : clear);
+  const double enough = eased ? clear_at_bound : clear;
+  outcome.visible = outcome.hidden.empty() || outcome.evidence >= enough;
 
   const std::vector<std::string> allowed = true_names(set);
   const auto is_true = [&](const std::string& reported) {
@@ -193,11 +194,14 @@ Outcome score(const Case& asked, const LaboratorySet& set, const std::string& di
   };
   outcome.invented = !std::all_of(outcome.reported.begin(), outcome.reported.end(), is_true);
   outcome.false_name = outcome.hidden.empty() && outcome.invented;
-  outcome.found =
-      !outcome.hidden.empty() && std::all_of(outcome.hidden.begin(), outcome.hidden.end(), [&](const auto& id) {
-        return std::any_of(outcome.reported.begin(), outcome.reported.end(),
-                           [&](const std::string& reported) { return stands_for(outcome, reported, id); });
-      });
+  outcome.found = !outcome.hidden.empty();
+  for (const truth::HiddenEffect& hidden : set.answer.common.hidden) {
+    const bool is_found =
+        std::any_of(outcome.reported.begin(), outcome.reported.end(),
+                    [&](const std::string& reported) { return stands_for(outcome, reported, hidden.id); });
+    outcome.found = outcome.found && is_found;
+    outcome.clear_missed = outcome.clear_missed || (!is_found && hidden.evidence >= enough);
+  }
   if (outcome.hidden.empty()) outcome.right_verdict = is_right_verdict(outcome, asked, set);
   if (diagnosis.contains("odds") && diagnosis.at("odds").is_object())
     for (const auto& [id, probability] : diagnosis.at("odds").at("effects").items())

@@ -63,6 +63,11 @@ TEST(LaboratoryScore, FindsWhatIsReportedOrInASetReported) {
   EXPECT_FALSE(half.found);
   EXPECT_FALSE(half.invented);
   EXPECT_TRUE(half.explained_wrong);
+  EXPECT_TRUE(half.clear_missed);
+  LaboratorySet weak = hiding({"drag", "tilt"});
+  weak.answer.common.hidden[1].evidence = 5.0;
+  EXPECT_FALSE(scored(Category::two, weak, diagnosis("explained", {"drag"})).clear_missed);
+  EXPECT_TRUE(scored(Category::two, weak, diagnosis("explained", {"tilt"})).clear_missed);
   EXPECT_TRUE(scored(Category::outsider, hiding({"gusts"}), diagnosis("explained", {"drag"})).explained_wrong);
 }
 

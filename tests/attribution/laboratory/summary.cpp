@@ -81,13 +81,14 @@ std::map<std::string, std::vector<Outcome>> by_condition(const std::vector<Outco
 }  // namespace
 
 std::vector<Figure> figures(const std::vector<Outcome>& outcomes) {
-  Count names, verdicts, far, colour, found, invented, two, three, outsiders, wrong, absent, effects, numbers, after,
-      corrected, worse;
+  Count names, verdicts, far, colour, found, invented, two, three, outsiders, wrong, absent, missed, effects, numbers,
+      after, corrected, worse;
   for (const Outcome& outcome : outcomes) {
     const bool explained = outcome.verdict == "explained";
     const std::string& category = outcome.category;
     wrong.add(outcome.explained_wrong);
     absent.add(explained && outcome.invented);
+    missed.add(explained && category != "outsider" && outcome.clear_missed);
     if (category == "nothing" || category == "far") names.add(outcome.false_name);
     if (category == "nothing") verdicts.add(outcome.right_verdict);
     if (category == "far") far.add(outcome.right_verdict);
@@ -133,6 +134,7 @@ std::vector<Figure> figures(const std::vector<Outcome>& outcomes) {
        .count = absent,
        .share = 0.02,
        .at_most = true},
+      {.text = "  without one that is clear", .column = "missed", .count = missed, .share = 0.02, .at_most = true},
       {.text = "true effect parameters inside the 95 % intervals",
        .column = "effect ci",
        .count = effects,

@@ -36,7 +36,7 @@ std::vector<Outcome> a_few() {
   all[2].found = true;
   all[2].after_over_noise = 1.05;
   all[2].effect_intervals = {.hits = 1, .of = 2};
-  all[3].invented = all[3].explained_wrong = true;
+  all[3].invented = all[3].explained_wrong = all[3].clear_missed = true;
   all[3].after_over_noise = 1.3;
   all[4].visible = false;
   all[5].corrected_over_before = 1.03;
@@ -69,6 +69,7 @@ TEST(LaboratoryFigures, CountTheSetsThatTheyName) {
   expect("outside", 0, 1);
   expect("wrong", 2, 8);
   expect("absent", 2, 8);
+  expect("missed", 1, 8);
   expect("effect ci", 1, 2);
   expect("after", 1, 2);
   expect("corrected", 1, 1);

@@ -24,6 +24,19 @@ WeighedHypothesis with(std::vector<const EffectKind*> effects, double probabilit
   return {.effects = std::move(effects), .probability = probability, .probability_of_noise = of_noise};
 }
 
+// Of 10,000 values; what was left out of it moved so much, over the noise.
+WeighedHypothesis without_much(double moved, std::vector<const EffectKind*> effects, double probability) {
+  return {.effects = std::move(effects),
+          .chi_square = 10000.0 * (1.0 + moved * moved),
+          .probability = probability,
+          .probability_of_noise = 0.5,
+          .probability_of_declared = 0.01};
+}
+
+WeighedHypothesis at_the_noise(std::vector<const EffectKind*> effects) {
+  return without_much(0.0, std::move(effects), 1.0);
+}
+
 std::vector<const EffectKind*> reported(const Posterior& posterior) {
   return posterior.hypotheses[answer_of(posterior).reported].effects;
 }
@@ -59,6 +72,39 @@ TEST(Answer, TakesAnEffectWithFurtherNumbersForTheSame) {
   const Answer answer = answer_of(posterior);
   EXPECT_EQ(answer.reported, 0u);
   EXPECT_TRUE(answer.rivals.empty());
+}
+
+// However certain: a thousandth of an angle that bristles leave at rest is no scale that is off.
+TEST(Answer, LeavesOutWhatNobodyWouldSee) {
+  EXPECT_TRUE(reported({.hypotheses = {at_the_noise({drag}), without_much(0.09, {}, 1e-9)}}).empty());
+  EXPECT_EQ(reported({.hypotheses = {at_the_noise({drag, loop}), without_much(0.09, {drag}, 1e-9), with({}, 0.0)}}),
+            std::vector{drag});
+  EXPECT_EQ(reported({.hypotheses = {at_the_noise({drag, loop}), without_much(0.05, {loop}, 1e-7),
+                                     without_much(0.05, {drag}, 1e-9), with({}, 0.0)}}),
+            std::vector{loop});
+}
+
+// Each moves less than a tenth of the noise, both together more.
+TEST(Answer, LeavesOutNoMoreThanNobodyWouldSee) {
+  EXPECT_EQ(reported({.hypotheses = {at_the_noise({drag, loop}), without_much(0.08, {drag}, 1e-9),
+                                     without_much(0.08, {loop}, 1e-10), without_much(0.11, {}, 1e-12)}}),
+            std::vector{drag});
+}
+
+TEST(Answer, NamesWhatIsSeenThoughTheRestIsBelowTheStatedNoise) {
+  EXPECT_EQ(reported({.hypotheses = {at_the_noise({drag}), without_much(0.11, {}, 1e-9)}}), std::vector{drag});
+}
+
+TEST(Answer, NamesWhatOnlyNumbersFarOffCouldReplace) {
+  WeighedHypothesis none = without_much(0.09, {}, 1e-9);
+  none.probability_of_declared = 0.009;
+  EXPECT_EQ(reported({.hypotheses = {at_the_noise({drag}), none}}), std::vector{drag});
+}
+
+TEST(Answer, NamesWhatLeavesStructureWhereItIsMissing) {
+  WeighedHypothesis none = without_much(0.09, {}, 1e-9);
+  none.probability_of_noise = 0.49;
+  EXPECT_EQ(reported({.hypotheses = {at_the_noise({drag}), none}}), std::vector{drag});
 }
 
 TEST(VerdictOf, FollowsFromTheEffectsAndFromWhatTheyLeave) {

@@ -8,6 +8,8 @@ struct DecisionThresholds {
   double decisive_gain = 6.0;
   /// Declared numbers that so few of the rigs built to their tolerances would have are off.
   double least_probability = 0.01;
+  /// What has a smaller standard deviation, over that of the noise, changes nothing that anyone would see.
+  double least_over_noise = 0.1;
 };
 inline constexpr DecisionThresholds decision_thresholds{};
 

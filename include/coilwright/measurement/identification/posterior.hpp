@@ -18,6 +18,8 @@ struct WeighedHypothesis {
   /// What it lacks, most probably: standard deviation over that of the noise, and correlation length in samples.
   double lacks{}, lacks_over{};
   double probability_of_noise{};  ///< that it lacks less than a tenth of the noise
+  /// Of rigs built to their tolerances, the share whose numbers lie as far from the declared ones as its own do.
+  double probability_of_declared{};
 };
 
 /// A hypothesis that has no probability, and why.

@@ -40,8 +40,10 @@ struct Answer {
 };
 
 /// The most probable hypothesis of which no effect may be left out: one whose place could stay empty with more than
-/// 1 / (1 + false_name), by all hypotheses that have no more than the others, is not named. `posterior` has at least
-/// the hypothesis of no effect.
+/// 1 / (1 + false_name), by all hypotheses that have no more than the others, is not named. Nor is one, however
+/// certain, that changes nothing anyone would see (DecisionThresholds::least_over_noise): the most probable of the
+/// others leaves hardly more variance than the most probable of all, it is noise, and its declared numbers are credible
+/// (DecisionThresholds::least_probability). `posterior` has at least the hypothesis of no effect.
 [[nodiscard]] Answer answer_of(const Posterior& posterior, const Losses& losses = {});
 
 /// The verdict of an answer. `numbers_are_off`: whether declared numbers of the model without effects are.

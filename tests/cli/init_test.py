@@ -40,7 +40,8 @@ class Init(ProgramTest):
         answer = self.result("results/diagnosis.json")
         self.assertEqual((answer["verdict"], [effect["id"] for effect in answer["effects"]]),
                          ("explained", ["dry_friction"]))
-        # As configs/starts/README.md says that it was made.
+        # As configs/starts/README.md says that it was made: constant, without numbers that the records do not tell.
+        self.assertEqual(list(answer["effects"][0]["parameters"]), ["torque_Nmm"])
         low, high = answer["effects"][0]["parameters"]["torque_Nmm"]["ci95"]
         self.assertTrue(low < 0.6 < high, (low, high))
 

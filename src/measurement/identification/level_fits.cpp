@@ -180,7 +180,8 @@ class OtherOptima {
     take_better(most_promising(runs_, as_found, from_own_starts(as_found, scale_), declared_derivatives()), best);
   }
 
-  // Adds the same with further numbers of its effects, and tries where these lead without them.
+  // Adds the same with further numbers of its effects, and where these lead without them: that may hold more evidence
+  // than it leaves residual, as a face does that nothing touches, and what the larger one has is then not its numbers'.
   void extend(std::size_t i) {
     const FittedHypothesis smaller = level_[i];
     std::vector<PlannedFit> plans = with_further_numbers(smaller, scale_);
@@ -188,7 +189,10 @@ class OtherOptima {
     if (!is_far_from_noise(smaller)) plans = most_promising(runs_, smaller, std::move(plans), declared_derivatives());
     MaybeFit larger = best_fit(runs_, std::move(plans), smaller);
     if (!larger) return;
-    take_better({from_further_numbers(smaller, *larger)}, level_[i]);
+    if (MaybeFit beside = best_fit(runs_, {from_further_numbers(smaller, *larger)}, smaller)) {
+      if (beside->fit.objective() < smaller.fit.objective()) std::swap(*beside, level_[i]);
+      level_.push_back(std::move(*beside));
+    }
     level_.push_back(std::move(*larger));
   }
 

@@ -127,8 +127,7 @@ std::vector<Dependence> current_dependences(std::span<const MeasuredMotion> moti
 }  // namespace
 
 std::vector<Dependence> dependences_of(std::span<const MeasuredMotion> motions, const PooledSeries& samples,
-                                       const SampleBlocks& blocks, std::size_t series, const actuator::Model& model,
-                                       std::optional<double> line) {
+                                       const SampleBlocks& blocks, std::size_t series, std::optional<double> line) {
   std::vector<Dependence> found;
   const auto add = [&](const char* name, std::span<const double> variable) {
     found.push_back(binned_dependence(name, variable, samples.torque, blocks));
@@ -139,8 +138,8 @@ std::vector<Dependence> dependences_of(std::span<const MeasuredMotion> motions, 
   add("acceleration", samples.acceleration);
   add("time", samples.time);
   add("run", samples.run);
-  if (model.coils() > 0) {
-    std::vector<Dependence> on_currents = current_dependences(motions, samples, blocks, model.coils());
+  if (const int coils = motions.front().model->coils(); coils > 0) {
+    std::vector<Dependence> on_currents = current_dependences(motions, samples, blocks, coils);
     found.insert(found.end(), on_currents.begin(), on_currents.end());
   }
   const bool driven = std::all_of(motions.begin(), motions.end(),

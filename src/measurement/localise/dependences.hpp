@@ -15,7 +15,6 @@ namespace coilwright::measurement::localise {
 /// spectral line at `line` (Hz) if there is one.
 [[nodiscard]] std::vector<Dependence> dependences_of(std::span<const MeasuredMotion> motions,
                                                      const PooledSeries& samples, const SampleBlocks& blocks,
-                                                     std::size_t series, const actuator::Model& model,
-                                                     std::optional<double> line);
+                                                     std::size_t series, std::optional<double> line);
 
 }  // namespace coilwright::measurement::localise

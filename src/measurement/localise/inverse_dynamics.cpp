@@ -52,13 +52,13 @@ JointVector bending_shares(const actuator::Model& model, const JointVector& angl
 
 class InverseDynamics {
  public:
-  InverseDynamics(const MeasuredMotion& motion, const actuator::Model& model)
-      : motion_(motion), model_(model), bending_(motion.angles.size() == 1), slopes_(model.internal_states()) {
+  explicit InverseDynamics(const MeasuredMotion& motion)
+      : motion_(motion), model_(*motion.model), bending_(motion.angles.size() == 1), slopes_(model_.internal_states()) {
     if (!bending_ || motion.simulated.empty()) return;
-    JointVector mean = JointVector::Zero(model.joints());
+    JointVector mean = JointVector::Zero(model_.joints());
     for (const simulation::State& state : motion.simulated) mean += state.angles;
     mean /= static_cast<double>(motion.simulated.size());
-    shares_ = bending_shares(model, mean, model.all_coils(0.0));
+    shares_ = bending_shares(model_, mean, model_.all_coils(0.0));
   }
 
   // Torque, N m, and measured acceleration, rad/s^2, of each measured series.
@@ -139,7 +139,7 @@ SmoothedSeries smoothed_windows(std::span<const double> times, const std::vector
 
 }  // namespace
 
-TorqueSeries residual_torque_series(const MeasuredMotion& motion, const actuator::Model& model, unsigned long seed) {
+TorqueSeries residual_torque_series(const MeasuredMotion& motion, unsigned long seed) {
   const std::vector<double>& times = motion.input.times;
   const std::vector<std::size_t> bounds = window_bounds(motion);
   const std::size_t count = motion.angles.size();
@@ -175,7 +175,7 @@ TorqueSeries residual_torque_series(const MeasuredMotion& motion, const actuator
       both[s].acceleration[i] += noise[s].acceleration[i];
     }
 
-  InverseDynamics dynamics(motion, model);
+  InverseDynamics dynamics(motion);
   for (std::size_t w = 0; w + 1 < bounds.size(); ++w) {
     const std::size_t size = bounds[w + 1] - bounds[w];
     if (size < shortest_window) continue;

@@ -21,7 +21,6 @@ struct TorqueSeries {
 
 /// The torque that the model lacks, by inverse dynamics of the measured motion. `seed`: random seed of the draw of the
 /// noise. The result has no samples if no window of the motion has 16.
-[[nodiscard]] TorqueSeries residual_torque_series(const MeasuredMotion& motion, const actuator::Model& model,
-                                                  unsigned long seed);
+[[nodiscard]] TorqueSeries residual_torque_series(const MeasuredMotion& motion, unsigned long seed);
 
 }  // namespace coilwright::measurement::localise

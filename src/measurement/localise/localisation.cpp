@@ -57,6 +57,7 @@ std::optional<MeasuredMotion> motion_of(const replay::PreparedRun& prepared, con
   MeasuredAngles measured = angles_of(prepared, model);
   if (measured.series.empty()) return std::nullopt;
   MeasuredMotion motion{.run = prepared.run->name,
+                        .model = &model,
                         .angles = std::move(measured.series),
                         .sigma = std::move(measured.sigma),
                         .starts = {}};
@@ -95,15 +96,17 @@ std::vector<MeasuredMotion> measured_alike(std::vector<MeasuredMotion> motions) 
 
 std::optional<ResidualTorque> localise(std::span<const replay::PreparedRun> runs,
                                        const identification::FittedHypothesis& fitted) {
-  const actuator::Model model = fitted.hypothesis.model_at(fitted.fit.values);
+  const actuator::ModelSpec spec = fitted.hypothesis.spec_at(fitted.fit.values);
+  std::vector<actuator::Model> models;
+  for (const replay::PreparedRun& run : runs) models.emplace_back(replay::on_changed_rig(spec, run.run->rig));
   std::vector<MeasuredMotion> motions;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     if (!runs[r].is_motion()) continue;
-    if (auto motion = motion_of(runs[r], fitted.fit.runs[r], model)) motions.push_back(std::move(*motion));
+    if (auto motion = motion_of(runs[r], fitted.fit.runs[r], models[r])) motions.push_back(std::move(*motion));
   }
   motions = measured_alike(std::move(motions));
   if (motions.empty()) return std::nullopt;
-  return residual_torque(motions, model);
+  return residual_torque(motions);
 }
 
 }  // namespace coilwright::measurement::localise

@@ -18,10 +18,12 @@
 namespace coilwright::measurement::localise {
 namespace {
 
-// Throws std::invalid_argument naming run and rule if sizes do not match.
-void validate_motions(std::span<const MeasuredMotion> motions, const actuator::Model& model) {
-  const auto joints = static_cast<std::size_t>(model.joints());
+// Throws std::invalid_argument naming run and rule if sizes do not match, or a motion has no model.
+void validate_motions(std::span<const MeasuredMotion> motions) {
   for (const MeasuredMotion& motion : motions) {
+    if (motion.model == nullptr) throw std::invalid_argument(fmt::format("{}: needs a model", motion.run));
+    const actuator::Model& model = *motion.model;
+    const auto joints = static_cast<std::size_t>(model.joints());
     const auto require = [&](bool met, const char* rule, std::size_t got) {
       if (!met) throw std::invalid_argument(fmt::format("{}: {}; got {}", motion.run, rule, got));
     };
@@ -80,15 +82,15 @@ std::vector<EvenSeries> even_series(std::span<const MeasuredMotion> motions, con
 
 }  // namespace
 
-ResidualTorque residual_torque(std::span<const MeasuredMotion> motions, const actuator::Model& model) {
-  validate_motions(motions, model);
+ResidualTorque residual_torque(std::span<const MeasuredMotion> motions) {
+  validate_motions(motions);
   ResidualTorque result;
   if (motions.empty()) return result;
   std::vector<TorqueSeries> all;
   double longest_smoothing = 0.0;
   for (std::size_t m = 0; m < motions.size(); ++m) {
     // Any seeds are suitable that are always the same and that no two series share.
-    all.push_back(residual_torque_series(motions[m], model, 1000 * (m + 1)));
+    all.push_back(residual_torque_series(motions[m], 1000 * (m + 1)));
     longest_smoothing = std::max(longest_smoothing, all.back().smoothing_length);
   }
 
@@ -101,7 +103,7 @@ ResidualTorque residual_torque(std::span<const MeasuredMotion> motions, const ac
     result.noise_floor += mean_square(samples.noise);
     const SampleBlocks blocks = blocks_of(samples, longest_smoothing);
     const std::optional<double> line = strongest_spectral_line(even_series(motions, all, series));
-    for (Dependence& found : dependences_of(motions, samples, blocks, series, model, line)) {
+    for (Dependence& found : dependences_of(motions, samples, blocks, series, line)) {
       if (found.explained <= least_explained) continue;
       if (found.variable == "frequency" && mean_square(samples.torque) * found.explained > strongest) {
         strongest = mean_square(samples.torque) * found.explained;

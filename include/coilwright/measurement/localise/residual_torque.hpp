@@ -16,6 +16,7 @@ namespace coilwright::measurement::localise {
 /// A measured motion beside the motion of the model under the same input.
 struct MeasuredMotion {
   std::string run{};                           ///< its file
+  const actuator::Model* model{};              ///< on the rig of this run (data::RigChange); not owned
   simulation::ModelInput input{};              ///< one row per sample
   std::vector<simulation::State> simulated{};  ///< one state of the model per sample
   /// Measured angles, rad, one value per sample: one series per joint, or a single series of their sum (the bending
@@ -33,7 +34,7 @@ struct ResidualTorque {
   std::optional<double> frequency{};      ///< frequency of the strongest spectral line, Hz; nothing if there is none
 };
 
-/// The torque that `model` lacks in these motions, and the variables on which it depends.
+/// The torque that the model lacks in these motions, and the variables on which it depends.
 ///
 /// The difference of measured and simulated angle is smoothed (Whittaker, third differences, Mallows' C_p), so that
 /// what the model predicts correctly is not smoothed; the torque is then
@@ -49,7 +50,7 @@ struct ResidualTorque {
 /// strongest spectral line that exceeds the spectrum around it by more than chance; it is a dependence of its own.
 ///
 /// `rms` is 0 and there are no dependences if no motion is long enough (16 samples).
-/// Throws std::invalid_argument naming run and rule if sizes do not match.
-[[nodiscard]] ResidualTorque residual_torque(std::span<const MeasuredMotion> motions, const actuator::Model& model);
+/// Throws std::invalid_argument naming run and rule if sizes do not match, or a motion has no model.
+[[nodiscard]] ResidualTorque residual_torque(std::span<const MeasuredMotion> motions);
 
 }  // namespace coilwright::measurement::localise

@@ -140,7 +140,8 @@ void add_size_command(CLI::App& app, Outcome& outcome) {
   add_flag(
       *command, "--answer-only", options->answer_only,
       fmt::format("End with the search: leave out what a step of each variable and a relaxed limit would bring "
-                  "(up to some hundred evaluations more), and what becomes of the answer under each other "
+                  "(up to some hundred evaluations more, among which there may be a better design), and what becomes "
+                  "of the answer under each other "
                   "modelling choice (up to {} each; of a study with a spread one each), and what {} builds make of the "
                   "answer to a study with a spread",
                   sizing::AssumptionOptions().evaluations, formats::builds_of_answer));

@@ -99,6 +99,8 @@ namespace coilwright::report {
 /// How sure the answer is: what these data cannot tell from it, what they refute by little and how that shows itself
 /// at the rig.
 [[nodiscard]] std::string rivals_text(const measurement::Diagnosis& diagnosis);
+/// Whether effects are probable that are not reported since they would not be seen (identification::answer_of()).
+[[nodiscard]] bool has_unseen_effects(const measurement::Diagnosis& diagnosis);
 /// The table of what was compared; empty where nothing was.
 [[nodiscard]] std::string compared_text(const measurement::Diagnosis& diagnosis);
 

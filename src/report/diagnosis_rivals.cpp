@@ -110,18 +110,6 @@ std::string alive_text(const Diagnosis& diagnosis) {
   return "  Not to be ruled out:\n" + text;
 }
 
-// Effects that are certain and not named.
-std::string unseen_text(const Diagnosis& diagnosis) {
-  constexpr double most_doubt = 1.0 / (1.0 + identification::Losses{}.false_name);
-  const WeighedHypothesis* reported = formats::reported_hypothesis(diagnosis);
-  if (reported == nullptr || diagnosis.verdict == Verdict::incomplete) return {};
-  double held = 0.0;
-  for (const WeighedHypothesis& each : diagnosis.odds.hypotheses)
-    if (are_among(each.effects, reported->effects)) held += each.probability;
-  if (held > most_doubt) return {};
-  return "  More than what is reported is there, most probably, but moves nothing by more than a tenth of the noise.\n";
-}
-
 // What may be there beside what is reported, and what that would do.
 std::string hinted_text(const Diagnosis& diagnosis) {
   if (diagnosis.hinted.empty()) return {};
@@ -176,6 +164,16 @@ std::string compared_text(const Diagnosis& diagnosis) {
              given);
 }
 
+bool has_unseen_effects(const Diagnosis& diagnosis) {
+  constexpr double most_doubt = 1.0 / (1.0 + identification::Losses{}.false_name);
+  const WeighedHypothesis* reported = formats::reported_hypothesis(diagnosis);
+  if (reported == nullptr || diagnosis.verdict == Verdict::incomplete) return false;
+  double held = 0.0;
+  for (const WeighedHypothesis& each : diagnosis.odds.hypotheses)
+    if (are_among(each.effects, reported->effects)) held += each.probability;
+  return held <= most_doubt;
+}
+
 std::string rivals_text(const Diagnosis& diagnosis) {
   std::string text;
   for (const auto& set : diagnosis.indistinguishable)
@@ -183,7 +181,10 @@ std::string rivals_text(const Diagnosis& diagnosis) {
         fmt::format("  These data cannot tell apart: {}. The first of them is reported.\n", fmt::join(ids(set), ", "));
   const std::string near = near_rivals_text(diagnosis);
   const std::string alive = alive_text(diagnosis);
-  text += near + alive + unseen_text(diagnosis);
+  text += near + alive;
+  if (has_unseen_effects(diagnosis))
+    text +=
+        "  More than what is reported is there, most probably, but moves nothing by more than a tenth of the noise.\n";
   if (!diagnosis.effects.empty() && diagnosis.indistinguishable.empty() && near.empty() && alive.empty())
     text += "  Nothing else that was tried explains these data as well.\n";
   if (!diagnosis.odds.ruled_out.empty())

@@ -51,13 +51,28 @@ std::string farthest_number(const Diagnosis& diagnosis) {
   return fmt::format(", most of all {} ({:.1f} tolerances)", most->estimate.key, moved(*most));
 }
 
+// Whether what is left over is noise, where that is nearly as probable as that it is not.
+bool is_undecided(const Diagnosis& diagnosis) {
+  const identification::WeighedHypothesis* reported = formats::reported_hypothesis(diagnosis);
+  return reported != nullptr && reported->probability_of_noise > 0.2 && reported->probability_of_noise < 0.8;
+}
+
+// "is noise"; with its probability where that decides little.
+std::string noise_words(const Diagnosis& diagnosis) {
+  if (!is_undecided(diagnosis)) return "is noise";
+  return fmt::format("is noise with a probability of {:.2f}",
+                     formats::reported_hypothesis(diagnosis)->probability_of_noise);
+}
+
 std::string verdict_sentence(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
   for (const AddedEffect& each : diagnosis.effects) names.push_back(name_with_rivals(diagnosis, each.kind));
   const std::string effects = fmt::format("{}", fmt::join(names, " and "));
+  const std::string noise = noise_words(diagnosis);
   switch (diagnosis.verdict) {
     case Verdict::no_missing_effect:
-      return "The declared model lacks nothing that these data show: fitted anew, it reaches the noise.";
+      return fmt::format("The declared model lacks nothing that {}: fitted anew, what it leaves {}.",
+                         has_unseen_effects(diagnosis) ? "moves it by a tenth of the noise" : "these data show", noise);
     case Verdict::declared_numbers_off:
       if (!diagnosis.numbers_off.empty()) return numbers_off_sentence(diagnosis);
       return fmt::format(
@@ -65,18 +80,26 @@ std::string verdict_sentence(const Diagnosis& diagnosis) {
           "data, and no missing effect does so decisively better.",
           farthest_number(diagnosis));
     case Verdict::explained:
-      return fmt::format("The declared model lacks {}; with {}, what is left over is noise.", effects,
-                         names.size() == 1 ? "it" : "them");
+      return fmt::format("The declared model lacks {}; with {}, what is left over {}.", effects,
+                         names.size() == 1 ? "it" : "them", noise);
     case Verdict::partly_explained:
+      if (is_undecided(diagnosis))
+        return fmt::format("The declared model lacks {}, and perhaps something else: what is left over {}.", effects,
+                           noise);
       return fmt::format("The declared model lacks {}, and something else: structure remains that no effect explains.",
                          effects);
     case Verdict::incomplete:
       return "INTERRUPTED before there was a conclusion. The declared model was fitted anew, and its effects compared "
-             "as far as the\nlist below; nothing is known of runs that no fit has seen. Diagnose again for an answer.";
+             "as far as the\nlist below; nothing is known of runs that no fit has seen. Diagnose again, with --resume, "
+             "for an answer.";
     case Verdict::unexplained:
       if (may_be_the_camera(diagnosis))
         return "Something is left over that none of the known effects explains. Whether the finger or the camera makes "
                "it,\nthese records cannot tell: none shows the noise of the camera by itself.";
+      if (is_undecided(diagnosis))
+        return fmt::format(
+            "The declared model may lack something that none of the known effects explains: what is left over {}.",
+            noise);
       return "The declared model lacks something, and none of the known effects explains it.";
   }
   return "";
@@ -107,6 +130,15 @@ std::string evidence_text(const Diagnosis& diagnosis, const actuator::EffectKind
                      probability_text(formats::probability_of(diagnosis, kind)));
 }
 
+// What is said beside "noise" of a residual that is larger than the noise was taken to be.
+std::string too_large_for_noise(const Diagnosis& diagnosis, const identification::WeighedHypothesis& reported) {
+  constexpr double large = 1.2;  // a level that the record itself tells is known to a tenth
+  if (reported.probability_of_noise < 0.5 || over_noise(diagnosis, reported.chi_square) < large) return {};
+  return "  That is more than the noise is taken to be (above): it is noise only where that level is too low. A still "
+         "run\n"
+         "  would tell.\n";
+}
+
 // What is left over, and whether it is noise.
 std::string residual_line(const Diagnosis& diagnosis) {
   const identification::WeighedHypothesis* reported = formats::reported_hypothesis(diagnosis);
@@ -117,7 +149,8 @@ std::string residual_line(const Diagnosis& diagnosis) {
           ? ""
           : fmt::format(", {} without effects", level(formats::chi_square_without_effects(diagnosis)));
   return fmt::format("  Left over: {} times the noise{} (rms, fit runs). It is noise with a probability of {}.\n",
-                     level(reported->chi_square), without, probability_text(reported->probability_of_noise));
+                     level(reported->chi_square), without, probability_text(reported->probability_of_noise)) +
+         too_large_for_noise(diagnosis, *reported);
 }
 
 // An effect may do no more than let the declared numbers stay where their tolerances put them.
@@ -146,7 +179,9 @@ std::string found_text(const Diagnosis& diagnosis) {
     text += parameters_text(each);
     text += evidence_text(diagnosis, *each.kind);
   }
-  if (diagnosis.effects.empty()) text += "  No effect that the data support.\n";
+  if (diagnosis.effects.empty())
+    text += has_unseen_effects(diagnosis) ? "  No effect that moves anything by a tenth of the noise.\n"
+                                          : "  No effect that the data support.\n";
   return text + residual_line(diagnosis) + numbers_off_text(diagnosis) + declared_text(diagnosis);
 }
 

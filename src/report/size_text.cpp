@@ -11,6 +11,7 @@
 #include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/report/coil_currents_text.hpp"
 #include "coilwright/report/simulation/part_limits_text.hpp"
+#include "coilwright/report/simulation/percent.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
 #include "coilwright/report/text_table.hpp"
 #include "coilwright/report/yield_text.hpp"
@@ -71,10 +72,11 @@ std::string pulses_line(const Study& study, const EvaluatedDesign& best) {
       const std::optional<double> value = quantity.value(best.view());
       return value ? fmt::format("{:.3g}", *value) : std::string("no");
     };
+    const std::optional<double> ripple = study.driver->ripple_heat.value(best.view());
     return fmt::format(
-        "by its driver, on for {} of a period: the ripple makes {} % more heat, of which temperatures and thermal_load "
+        "by its driver, on for {} of a period: the ripple makes {} more heat, of which temperatures and thermal_load "
         "know nothing; {} with it is {}\n",
-        text(study.driver->duty), text(study.driver->ripple_heat), study.driver->thermal_load.name,
+        text(study.driver->duty), ripple ? percent(0.01 * *ripple) : "no", study.driver->thermal_load.name,
         text(study.driver->thermal_load));
   }
   if (std::holds_alternative<DrivenCurrent>(study.current) || !has_one_current(best.design)) return {};
@@ -85,9 +87,9 @@ std::string pulses_line(const Study& study, const EvaluatedDesign& best) {
   constexpr double worth_a_line = 5.0;  // per cent, from which `drive` warns
   if (!heat || *heat < worth_a_line) return {};
   return fmt::format(
-      "taken as a steady current: pulses from {} V at {} Hz would make {} % more heat (coilwright drive says which do "
+      "taken as a steady current: pulses from {} V at {} Hz would make {} more heat (coilwright drive says which do "
       "not; the block \"driver\" of a study limits it)\n",
-      short_number(usual.voltage), short_number(usual.frequency), fmt::format("{:.3g}", *heat));
+      short_number(usual.voltage), short_number(usual.frequency), percent(0.01 * *heat));
 }
 
 std::string objective_lines(const formats::SizeReport& report) {

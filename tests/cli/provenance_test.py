@@ -129,8 +129,10 @@ class SetOfAStudy(ProgramTest):
                 ("gap=1", 'gap=1: is not a number of a design; did you mean "gap_mm"?'),
                 ("/search/sed=1", 'study.json: /search/sed: unknown key; the keys here are "algorithm", '
                  '"max_evaluations", "seed"'),
-                ("/constraints/7/at_most=1", "/constraints/7/at_most=1: must lead to a number, a word, or true or false of the study"),
-                ("/variables=1", "/variables=1: must lead to a number, a word, or true or false of the study"),
+                ("/constraints/7/at_most=1", "/constraints/7/at_most=1: must lead to a number, a word, or true or false "
+                 "of the study, as /search/seed does; lists count from 0"),
+                ("/variables=1", "/variables=1: must lead to a number, a word, or true or false of the study, as "
+                 "/search/seed does; lists count from 0"),
                 ("/operating_point/wiring=serial",
                  'study.json: /operating_point/wiring: must be one of "parallel", "series"; did you mean "series"?; got text '
                  '"serial"'),

@@ -179,6 +179,54 @@ TEST(DiagnosisText, SaysWhetherWhatIsLeftIsNoiseWhereNoEffectIsReported) {
                 "a probability of 0.250.\n"));
 }
 
+TEST(DiagnosisText, DoubtsNoiseThatIsLargerThanItWasTakenToBe) {
+  const std::string doubt =
+      "  That is more than the noise is taken to be (above): it is noise only where that level is too low. A still "
+      "run\n"
+      "  would tell.\n";
+  Diagnosis diagnosis = example();
+  diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
+  diagnosis.odds.hypotheses = {weighed({&dry_friction}, 48000.0, 1.0, 0.75), weighed({}, 96000.0, 0.0)};
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("It is noise with a probability of 0.750.\n" + doubt));
+  diagnosis.odds.hypotheses.front().probability_of_noise = 0.25;
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr(doubt)));
+  diagnosis.odds.hypotheses.front() = weighed({&dry_friction}, 16000.0, 1.0, 0.75);
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr(doubt)));
+}
+
+TEST(DiagnosisText, DoesNotDenyWhatIsThereAndNotSeen) {
+  Diagnosis diagnosis = example();
+  diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
+  diagnosis.effects.clear();
+  diagnosis.verdict = Verdict::no_missing_effect;
+  diagnosis.odds.hypotheses = {weighed({&coil_heating}, 12000.0, 1.0, 0.75), weighed({}, 12100.0, 1e-9, 0.75)};
+  const std::string text = text_of(diagnosis);
+  EXPECT_THAT(text,
+              HasSubstr("The declared model lacks nothing that moves it by a tenth of the noise: fitted anew, what "
+                        "it leaves is noise with a probability of 0.75.\n"));
+  EXPECT_THAT(text, HasSubstr("  No effect that moves anything by a tenth of the noise.\n"));
+}
+
+TEST(DiagnosisText, SaysWithTheVerdictThatItIsUncertain) {
+  Diagnosis diagnosis = example();
+  const auto text_with = [&](Verdict verdict, double probability_of_noise) {
+    diagnosis.verdict = verdict;
+    for (identification::WeighedHypothesis& each : diagnosis.odds.hypotheses)
+      each.probability_of_noise = probability_of_noise;
+    return text_of(diagnosis);
+  };
+  EXPECT_THAT(text_with(Verdict::explained, 0.6),
+              HasSubstr("lacks dry_friction; with it, what is left over is noise with a probability of 0.60.\n"));
+  EXPECT_THAT(text_with(Verdict::partly_explained, 0.4),
+              HasSubstr("lacks dry_friction, and perhaps something else: what is left over is noise with a probability "
+                        "of 0.40.\n"));
+  EXPECT_THAT(text_with(Verdict::partly_explained, 0.1), HasSubstr("structure remains that no effect explains.\n"));
+  diagnosis.effects.clear();
+  EXPECT_THAT(text_with(Verdict::unexplained, 0.425),
+              HasSubstr("may lack something that none of the known effects explains: what is left over is noise with a "
+                        "probability of 0.42.\n"));
+}
+
 // Where there is no answer yet, nothing is reported, and nothing is known of what is missing.
 TEST(DiagnosisText, ListsWhatWasComparedBeforeADiagnosisWasInterrupted) {
   Diagnosis diagnosis = example();

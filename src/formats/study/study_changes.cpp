@@ -74,7 +74,10 @@ text::Document changed(text::Document document, const StudyChanges& changes) {
     try {
       (void)document.with_values(values);
     } catch (const std::invalid_argument&) {
-      throw text::argument_error(change, "must lead to a number, a word, or true or false of the study");
+      throw text::argument_error(
+          change,
+          "must lead to a number, a word, or true or false of the study, as /search/seed does; lists "
+          "count from 0");
     }
   }
   return values.empty() ? std::move(document) : document.with_values(values);

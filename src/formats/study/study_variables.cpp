@@ -49,7 +49,7 @@ Interval read_interval(ObjectReader& in, const Rule& rule, VariableKind kind) {
   if (!step) return interval;
   interval.step = read_value(*step, kind == VariableKind::integer ? Rule::at_least(1) : positive, kind);
   const double range = interval.upper - interval.lower;
-  if (interval.step > range) throw step->error(fmt::format("must not exceed upper - lower ({})", range));
+  if (interval.step > range) throw step->error(fmt::format("must not exceed upper - lower ({:.12g})", range));
   if (range / interval.step > most_values) throw step->error(fmt::format("must make at most {} values", most_values));
   return interval;
 }

@@ -40,7 +40,10 @@ void calibrate_pitches(Design& design, const Measured& measured) {
   const winding::Winding coil = winding_of(design);
   if (measured.coil_outer_radius) {
     const double thickness = *measured.coil_outer_radius - coil.inner_radius();
-    check_positive(thickness, "coil outer radius beyond the inner one");
+    if (!(thickness > 0.0) || !std::isfinite(thickness))
+      throw std::invalid_argument(
+          fmt::format("measured coil outer radius must exceed the inner one ({:.6g} mm); got {:.6g} mm",
+                      coil.inner_radius() * 1e3, *measured.coil_outer_radius * 1e3));
     design.calibration.radial_pitch =
         layer_pitch(thickness, design.coil.turns_radial, coil.wire().insulated_diameter) / coil.radial_pitch();
     require_buildable(design);

@@ -122,8 +122,7 @@ TEST(Calibrate, SaysWhatItCannotUse) {
     return error_text([&] { (void)calibrate(design, measured); });
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(text({.coil_outer_radius = 3e-3}),
-            "measured coil outer radius beyond the inner one must be finite and > 0; got 0");
+  EXPECT_EQ(text({.coil_outer_radius = 3e-3}), "measured coil outer radius must exceed the inner one (3 mm); got 3 mm");
   EXPECT_EQ(text({.coil_length = -12.0}), "measured coil length must be finite and > 0; got -12");
   EXPECT_EQ(text({.joint_stiffness = 0.0}), "measured joint stiffness must be finite and > 0; got 0");
   EXPECT_EQ(text({.joint_damping = nan}), "measured joint damping must be finite and > 0; got nan");

@@ -61,6 +61,7 @@ void take_noise_anew(replay::PreparedRun& prepared, std::size_t channel, const E
   if (!level.from_the_run) return;
   const std::vector<double>& measured = prepared.run->channels[channel].values;
   std::string colour = std::move(level.colour);
+  const bool colour_unknown = level.colour_unknown;
   // Its own: what was drawn to other runs is drawn anew from there.
   level = level_without_outliers(prepared, channel, measured);
   if (const auto left = left_of(prepared, channel, predictions)) {
@@ -76,6 +77,7 @@ void take_noise_anew(replay::PreparedRun& prepared, std::size_t channel, const E
     }
   }
   level.colour = std::move(colour);
+  level.colour_unknown = colour_unknown;
 }
 
 // The levels that runs tell of themselves, of each instrument together.

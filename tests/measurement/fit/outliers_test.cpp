@@ -59,6 +59,21 @@ TEST(OutliersOfARoundedRecord, LeaveNoLessNoiseThanRoundingMakes) {
   EXPECT_GE(runs.front().noise.front().sigma, count / std::sqrt(12.0) * (1.0 - 1e-9));
 }
 
+// The level is taken anew; what is known of the spectrum stays known, and what is not, unknown.
+TEST(OutliersOfARoundedRecord, TellNothingOfTheColourOfNoise) {
+  const data::Run run = rounded_record();
+  const replay::DeclaredModel declared = slide(true_mass, true_damping);
+  const Hypothesis hypothesis(declared, {});
+  for (const bool unknown : {true, false}) {
+    std::vector<replay::PreparedRun> runs{replay::prepare_run(run, declared, hypothesis.model_at(hypothesis.start()))};
+    runs.front().noise.front().colour_unknown = unknown;
+    const auto there = evaluate_at({.hypothesis = &hypothesis, .runs = runs, .start = hypothesis.start()});
+    ASSERT_TRUE(there.has_value());
+    (void)set_outliers_aside(runs, *there);
+    EXPECT_EQ(runs.front().noise.front().colour_unknown, unknown);
+  }
+}
+
 // Forty pictures of a slide whose clock may be off. Three of them are misread by so much that a fit moves the clock.
 struct MisreadRecord {
   MisreadRecord() {

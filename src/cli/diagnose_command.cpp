@@ -126,21 +126,13 @@ void write(const DiagnoseOptions& options, const results::AskedDiagnosis& asked,
   }
 }
 
-void write_page_if_asked(const DiagnoseOptions& options) {
-  if (!options.report) return;
-  write_report(options.out, std::filesystem::path(options.out) / report_name, {.force = options.force});
-}
-
 // What is known is written, and the work, which knows nothing of signals and limits, ends with the program.
 [[noreturn]] void end_interrupted(const DiagnoseOptions& options, const results::AskedDiagnosis& asked,
                                   const std::optional<Diagnosis>& known, const FitRecord& record,
                                   std::string_view why) {
   ExitCode code = ExitCode::interrupted;
   try {
-    if (known) {
-      write(options, asked, *known);
-      write_page_if_asked(options);
-    }
+    if (known) write(options, asked, *known);
     std::cerr << "coilwright: " << why << ": "
               << (known ? fmt::format("{} has what is known so far, marked as incomplete", options.out)
                         : std::string("nothing is known yet"))
@@ -257,7 +249,8 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
   add_part_options(*command, options->part, "The data set is the K-th of N");
   command->callback([options] {
     run_diagnose(*options);
-    write_page_if_asked(*options);
+    if (options->report)
+      write_report(options->out, std::filesystem::path(options->out) / report_name, {.force = options->force});
   });
 }
 

@@ -168,10 +168,7 @@ bool has_unseen_effects(const Diagnosis& diagnosis) {
   constexpr double most_doubt = 1.0 / (1.0 + identification::Losses{}.false_name);
   const WeighedHypothesis* reported = formats::reported_hypothesis(diagnosis);
   if (reported == nullptr || diagnosis.verdict == Verdict::incomplete) return false;
-  double held = 0.0;
-  for (const WeighedHypothesis& each : diagnosis.odds.hypotheses)
-    if (are_among(each.effects, reported->effects)) held += each.probability;
-  return held <= most_doubt;
+  return diagnosis.odds.probability_among(reported->effects) <= most_doubt;
 }
 
 std::string rivals_text(const Diagnosis& diagnosis) {

@@ -180,8 +180,9 @@ class OtherOptima {
     take_better(most_promising(runs_, as_found, from_own_starts(as_found, scale_), declared_derivatives()), best);
   }
 
-  // Adds the same with further numbers of its effects, and where these lead without them: that may hold more evidence
-  // than it leaves residual, as a face does that nothing touches, and what the larger one has is then not its numbers'.
+  // Adds the same with further numbers of its effects, and without them at the optimum to which these led. That may
+  // have more evidence although it leaves more, as where nothing touches a face: the larger one must not be credited
+  // with it.
   void extend(std::size_t i) {
     const FittedHypothesis smaller = level_[i];
     std::vector<PlannedFit> plans = with_further_numbers(smaller, scale_);

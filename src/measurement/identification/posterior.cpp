@@ -74,6 +74,13 @@ double Posterior::probability_of(const std::vector<const EffectKind*>& effects) 
   return sum;
 }
 
+double Posterior::probability_among(const std::vector<const EffectKind*>& effects) const {
+  double sum = 0.0;
+  for (const WeighedHypothesis& each : hypotheses)
+    if (are_among(each.effects, effects)) sum += each.probability;
+  return sum;
+}
+
 double log_prior(const std::vector<const EffectKind*>& effects, const std::vector<const EffectKind*>& kinds,
                  std::span<const Belief> beliefs) {
   double out =

@@ -25,14 +25,6 @@ Kinds without(Kinds effects, std::size_t place) {
   return effects;
 }
 
-// The probability of all hypotheses that have none but these effects.
-double probability_among(const Posterior& posterior, const Kinds& effects) {
-  double sum = 0.0;
-  for (const WeighedHypothesis& each : posterior.hypotheses)
-    if (are_among(each.effects, effects)) sum += each.probability;
-  return sum;
-}
-
 std::size_t most_probable_among(const Posterior& posterior, const Kinds& effects) {
   const auto found = std::ranges::find_if(
       posterior.hypotheses, [&](const WeighedHypothesis& each) { return are_among(each.effects, effects); });
@@ -55,7 +47,7 @@ std::optional<std::size_t> without_one_of(const Posterior& posterior, const Kind
   for (std::size_t i = 0; i < effects.size(); ++i) {
     const Kinds fewer = without(effects, i);
     const std::size_t place = most_probable_among(posterior, fewer);
-    const double there = probability_among(posterior, fewer);
+    const double there = posterior.probability_among(fewer);
     if (there <= 1.0 - least_probability(losses.false_name) &&
         !is_enough(posterior, posterior.hypotheses[place], losses))
       continue;

@@ -44,6 +44,8 @@ struct Posterior {
   [[nodiscard]] std::vector<Inclusion> effects() const;
   /// The probability of just these effects together, in any order, whatever their further numbers.
   [[nodiscard]] double probability_of(const std::vector<const actuator::EffectKind*>& effects) const;
+  /// The probability of all hypotheses that have none but these effects.
+  [[nodiscard]] double probability_among(const std::vector<const actuator::EffectKind*>& effects) const;
 };
 
 /// What somebody who knows the rig believes of an effect before the records are seen ("the wire drags").

@@ -4,6 +4,7 @@
 
 #include "coilwright/magnetics/axial_force.hpp"
 #include "coilwright/magnetics/wrench.hpp"
+#include "magnetics/hinge_pose.hpp"
 #include "magnetics/require.hpp"
 
 namespace coilwright::magnetics {
@@ -34,20 +35,19 @@ Separation separation(const HingeGeometry& g, double angle) {
           -(g.coil_offset + g.magnet_offset * cosine + g.axis_offset * sine)};
 }
 
-double exact_torque_per_ampere(const ThickCoil& coil, const CylinderMagnet& magnet, const HingeGeometry& g,
-                               double angle) {
-  // Coil at the origin, +z its axis away from the joint, +x from the axis towards the joint: so +y is the axis about
-  // which a negative turn opens the joint. Magnet moment along its axis, coil current +1: attraction, so both signs
-  // turn and the opening torque of a repelling ampere is the torque about +y.
-  const Separation at = separation(g, angle);
-  const Pose pose{.position = {at.across, 0.0, at.along}, .axis = {-std::sin(angle), 0.0, std::cos(angle)}};
-  const Wrench on_magnet = wrench(coil, 1.0, magnet, pose);
-  const double arm_x = at.across - g.axis_offset;
-  const double arm_z = at.along + g.coil_offset;
-  return on_magnet.torque.y() + arm_z * on_magnet.force.x() - arm_x * on_magnet.force.z();
+}  // namespace
+
+Pose hinge_pose(const HingeGeometry& geometry, double angle) {
+  const Separation at = separation(geometry, angle);
+  return {.position = {at.across, 0.0, at.along}, .axis = {-std::sin(angle), 0.0, std::cos(angle)}};
 }
 
-}  // namespace
+double torque_about_hinge(const Wrench& on_magnet, const HingeGeometry& geometry, double angle) {
+  const Separation at = separation(geometry, angle);
+  const double arm_x = at.across - geometry.axis_offset;
+  const double arm_z = at.along + geometry.coil_offset;
+  return on_magnet.torque.y() + arm_z * on_magnet.force.x() - arm_x * on_magnet.force.z();
+}
 
 double centre_distance(const HingeGeometry& geometry, double angle) {
   check(geometry, angle);
@@ -66,7 +66,8 @@ double centre_distance_derivative(const HingeGeometry& g, double angle) {
 double hinge_torque_per_ampere(const ThickCoil& coil, const CylinderMagnet& magnet, const HingeGeometry& geometry,
                                Fidelity fidelity, double angle) {
   check(geometry, angle);
-  if (fidelity == Fidelity::exact) return exact_torque_per_ampere(coil, magnet, geometry, angle);
+  if (fidelity == Fidelity::exact)
+    return torque_about_hinge(wrench(coil, 1.0, magnet, hinge_pose(geometry, angle)), geometry, angle);
   return -axial_force(coil, 1.0, magnet, centre_distance(geometry, angle)) *
          centre_distance_derivative(geometry, angle);
 }

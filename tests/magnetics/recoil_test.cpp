@@ -185,6 +185,25 @@ TEST(Recoil, IsInTheCurvesAsInTheForces) {
   }
 }
 
+// Thin and long magnets of smaller and larger radius than the coil, close and apart.
+TEST(Recoil, IsInExactTorqueCurvesWithinTheirTolerance) {
+  for (const double gap : {0.3e-3, 1.5e-3})
+    for (const double radius : {8e-3, 12e-3})
+      for (const double length : {2e-3, 12e-3}) {
+        const CylinderMagnet magnet(
+            {.radius = radius, .length = length, .remanence = 1.44, .recoil_permeability = 1.1});
+        const HingeGeometry hinge{
+            .coil_offset = 6e-3 + gap, .magnet_offset = 0.5 * length + gap, .axis_offset = radius + 2.5e-3};
+        const Curve torque =
+            torque_curve(prototype, magnet, hinge, Fidelity::exact, {.lower = 0.0, .upper = 2.0, .tolerance = 1e-6});
+        for (int i = 0; i <= 40; ++i)
+          EXPECT_NEAR(torque.value(0.05 * i),
+                      hinge_torque_per_ampere(prototype, magnet, hinge, Fidelity::exact, 0.05 * i),
+                      1e-6 * torque.scale())
+              << gap << ' ' << radius << ' ' << length << ' ' << 0.05 * i;
+      }
+}
+
 // A magnet that goes into the bore of a coil, and a curve that a solver follows into the copper.
 TEST(Recoil, IsInCurvesBeyondLevelFaces) {
   const CylinderMagnet rod({.radius = 2e-3, .length = 8e-3, .remanence = 1.3, .recoil_permeability = 1.05});

@@ -28,6 +28,7 @@ TEST(Units, OfOneDimensionHaveOneGreatestPlausibleNumber) {
   EXPECT_DOUBLE_EQ(greatest_plausible(unit("angle_deg")), 3600);
   EXPECT_DOUBLE_EQ(greatest_plausible(unit("mass_g")), 1e6);
   EXPECT_DOUBLE_EQ(greatest_plausible(unit("t_degC")), greatest_plausible(unit("t_K")));
+  EXPECT_GT(greatest_plausible(unit("stiffness_Nm_rad")), 25845);  // a membrane with 10 g at 256 Hz, a metre a radian
   for (const Unit& a : all_units())
     for (const Unit& b : all_units()) {
       if (a.dimension != b.dimension) continue;

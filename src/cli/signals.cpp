@@ -12,17 +12,16 @@ namespace {
 std::atomic<bool> stop_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "only a lock-free atomic may be written in a signal handler");
 
-extern "C" void on_stop_signal(int) {
+extern "C" void on_interrupt(int) {
   stop_requested = true;
   struct sigaction end_at_once {};
   end_at_once.sa_handler = SIG_DFL;
   sigaction(SIGINT, &end_at_once, nullptr);
-  sigaction(SIGTERM, &end_at_once, nullptr);
 }
 
-// A terminal that closes sends SIGHUP, and the shell in it may send another: the second must not end what the first
-// one is ending.
-extern "C" void on_hang_up(int) {
+// A terminal that closes sends SIGHUP, and the shell in it may send another; `timeout` sends SIGTERM to its child and
+// then to their group. The second must not end what the first one is ending.
+extern "C" void on_end(int) {
   stop_requested = true;
 }
 
@@ -31,14 +30,13 @@ extern "C" void on_hang_up(int) {
 StopSignal::StopSignal() {
   stop_requested = false;
   struct sigaction raise_flag {};
-  raise_flag.sa_handler = on_stop_signal;
   raise_flag.sa_flags = SA_RESTART;  // an interrupted write goes on
+  raise_flag.sa_handler = on_interrupt;
   sigaction(SIGINT, &raise_flag, &interrupt_before_);
+  raise_flag.sa_handler = on_end;
   sigaction(SIGTERM, &raise_flag, &terminate_before_);
   sigaction(SIGHUP, nullptr, &hang_up_before_);
-  if (hang_up_before_.sa_handler == SIG_IGN) return;
-  raise_flag.sa_handler = on_hang_up;
-  sigaction(SIGHUP, &raise_flag, nullptr);
+  if (hang_up_before_.sa_handler != SIG_IGN) sigaction(SIGHUP, &raise_flag, nullptr);
 }
 
 StopSignal::~StopSignal() {

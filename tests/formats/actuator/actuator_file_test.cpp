@@ -386,7 +386,7 @@ TEST(LumpedModel, RefusesNumbersBeyondAnyHardware) {
   EXPECT_EQ(actuator_refusal(changed(two_joints, R"("mass_kg": 0.017)", R"("mass_kg": 1e298)")),
             "a.json: /links/0/mass_kg: must be > 0 and <= 1000; got 1e+298");
   EXPECT_EQ(actuator_refusal(changed(two_joints, R"("stiffness_Nm_rad": 0.0125)", R"("stiffness_Nm_rad": 1e298)")),
-            "a.json: /joints/0/stiffness_Nm_rad: must be from 0 to 10000; got 1e+298");
+            "a.json: /joints/0/stiffness_Nm_rad: must be from 0 to 1000000; got 1e+298");
   EXPECT_EQ(actuator_refusal(changed(two_joints, R"("damping_Nms_rad": 1.3e-4)", R"("damping_Nms_rad": 1e7)")),
             "a.json: /joints/0/damping_Nms_rad: must be from 0 to 1000; got 10000000");
   EXPECT_EQ(actuator_refusal(changed(two_joints, R"("closing_angle_deg": -3)", R"("closing_angle_deg": -1e298)")),

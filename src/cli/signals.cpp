@@ -17,6 +17,7 @@ extern "C" void on_interrupt(int) {
   struct sigaction end_at_once {};
   end_at_once.sa_handler = SIG_DFL;
   sigaction(SIGINT, &end_at_once, nullptr);
+  sigaction(SIGTERM, &end_at_once, nullptr);
 }
 
 // A terminal that closes sends SIGHUP, and the shell in it may send another; `timeout` sends SIGTERM to its child and

@@ -6,8 +6,8 @@
 namespace coilwright::cli {
 
 /// While it lives, the first SIGINT, SIGTERM or SIGHUP (its terminal is gone) only raises a flag, for a long command to
-/// look at, write what it has found and end with ExitCode::interrupted; a second SIGINT ends the program at once. A
-/// SIGHUP that is ignored, as nohup asks, stays so. One at a time.
+/// look at, write what it has found and end with ExitCode::interrupted; a SIGINT or SIGTERM after a SIGINT ends the
+/// program at once. A SIGHUP that is ignored, as nohup asks, stays so. One at a time.
 class StopSignal {
  public:
   StopSignal();

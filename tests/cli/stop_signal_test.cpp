@@ -14,7 +14,7 @@ TEST(StopSignal, RaisesAFlagAtTheFirstSignal) {
   }
 }
 
-TEST(StopSignalDeathTest, EndsTheProgramAtTheSecondWhicheverItIs) {
+TEST(StopSignalDeathTest, EndsTheProgramAtTheSecondAfterAnInterrupt) {
   const auto signalled = [](int first, int second) {
     const StopSignal stop;
     std::raise(first);
@@ -24,12 +24,14 @@ TEST(StopSignalDeathTest, EndsTheProgramAtTheSecondWhicheverItIs) {
   EXPECT_EXIT(signalled(SIGINT, SIGTERM), ::testing::KilledBySignal(SIGTERM), "");
 }
 
-// A closing terminal may send two, one of them by its shell.
-TEST(StopSignal, TakesAnyNumberOfHangUps) {
-  const StopSignal stop;
-  std::raise(SIGHUP);
-  std::raise(SIGHUP);
-  EXPECT_TRUE(stop.requested());
+// A closing terminal may send two, one of them by its shell, and `timeout` does.
+TEST(StopSignal, TakesAnyNumberOfHangUpsAndTerminations) {
+  for (const int signal : {SIGHUP, SIGTERM}) {
+    const StopSignal stop;
+    std::raise(signal);
+    std::raise(signal);
+    EXPECT_TRUE(stop.requested());
+  }
 }
 
 TEST(StopSignal, LeavesAHangUpIgnoredAsNohupAsks) {

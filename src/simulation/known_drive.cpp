@@ -57,8 +57,8 @@ bool KnownDrive::knows_along_curves() const {
   return lag_ > 0.0 && lag_ <= slowest_transient;
 }
 
-void KnownDrive::follow(const algebra::SmoothCurve& ends, const PackedState& values, PackedState& slopes) {
-  lagged_.emplace(ends, lag_, std::span(values.data() + first_, states_));
+void KnownDrive::follow(algebra::SmoothCurve ends, const PackedState& values, PackedState& slopes) {
+  lagged_.emplace(std::move(ends), lag_, std::span(values.data() + first_, states_));
   std::fill_n(slopes.data() + first_, states_, 0.0);
 }
 

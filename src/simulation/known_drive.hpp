@@ -28,7 +28,7 @@ class KnownDrive {
   /// a = T (f(x - a) - f(x)), which converges where T is short against all else.
   void hold(double time, Eigen::VectorXd end, PackedState& values, PackedState& slopes, const Derivative& derive);
   /// Along an input that follows a curve; a lag's states tend to `ends` (algebra::LaggedCurve).
-  void follow(const algebra::SmoothCurve& ends, const PackedState& values, PackedState& slopes);
+  void follow(algebra::SmoothCurve ends, const PackedState& values, PackedState& slopes);
   /// Whether follow() saves steps: a slower lag is as smooth as the motion.
   [[nodiscard]] bool knows_along_curves() const;
   /// Begins anew, with nothing known.

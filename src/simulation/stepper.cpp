@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -40,6 +42,20 @@ double bisected(double before, double after, const Changed& changed) {
   return after;
 }
 
+// Where `excess` crosses zero: from `before`, where it is below, to `after`, where it is above; there or just behind.
+template <typename Excess>
+double crossing(double before, double after, const Excess& excess) {
+  const double low = excess(before);
+  const double high = excess(after);
+  // A joint that has just been let go sets out from zero itself.
+  if (!(low < 0.0 && high > 0.0)) return bisected(before, after, [&](double time) { return excess(time) > 0.0; });
+  std::uintmax_t most = 60;
+  constexpr int bits = 36;  // as fine as the step's own errors
+  return boost::math::tools::toms748_solve(excess, before, after, low, high,
+                                           boost::math::tools::eps_tolerance<double>(bits), most)
+      .second;
+}
+
 }  // namespace
 
 double Stepper::ErrorChecker::error(algebra_type& /*algebra*/, const PackedState& values, const PackedState& slopes,
@@ -60,7 +76,8 @@ Stepper::Stepper(const actuator::Model& model, const Tolerance& tolerance)
       controlled_(ErrorChecker(tolerance, model.joints())),
       drive_(model),
       tolerance_(tolerance),
-      squared_contact_frequencies_(model.chain().joint_mobility()) {
+      squared_contact_frequencies_(model.chain().joint_mobility()),
+      held_joints_(model) {
   for (int j = 0; j < model.joints(); ++j) squared_contact_frequencies_[j] *= model.hinges()[j].contact.stiffness;
 }
 
@@ -92,6 +109,7 @@ algebra::SmoothCurve Stepper::drive_ends() const {
   const int states = model_.drive_states();
   const std::span<const double> times = curve_->times();
   std::vector<double> ends;
+  ends.reserve(times.size() * static_cast<std::size_t>(states));
   for (std::size_t row = 0; row < times.size(); ++row) {
     const actuator::InternalStates settled =
         model_.settled(mechanics::JointVector::Zero(model_.joints()), input_at(times[row]).currents);
@@ -100,7 +118,18 @@ algebra::SmoothCurve Stepper::drive_ends() const {
   return algebra::SmoothCurve(times, ends, static_cast<std::size_t>(states));
 }
 
+HeldJoints::Derivative Stepper::derivative_at(double time) const {
+  return [this, time](const PackedState& values, PackedState& slopes) { derive_as_it_is(values, slopes, time); };
+}
+
 void Stepper::derive_whole(const PackedState& values, PackedState& slopes, double time) const {
+  if (held_joints_.any())
+    held_joints_.hold(values, slopes, derivative_at(time));
+  else
+    derive_as_it_is(values, slopes, time);
+}
+
+void Stepper::derive_as_it_is(const PackedState& values, PackedState& slopes, double time) const {
   const int n = model_.joints();
   const auto count = static_cast<std::size_t>(model_.internal_states());
   const mechanics::JointVector angles = Eigen::Map<const Eigen::VectorXd>(values.data(), n);
@@ -128,6 +157,8 @@ void Stepper::start(double time, const State& state, Input input, std::optional<
   time_ = previous_time_ = time;
   values_ = pack(state);
   slopes_.assign(values_.size(), 0.0);
+  friction_change_.reset();
+  change_friction(values_, -1);
   derive_whole(values_, slopes_, time_);
   if (model_.drive_states() > 0 && !curve_)
     drive_.hold(time, model_.settled(state.angles, input_.currents).head(model_.drive_states()), values_, slopes_,
@@ -168,6 +199,17 @@ double Stepper::first_step() const {
 }
 
 void Stepper::step() {
+  if (friction_change_) {
+    const FrictionChange change = *friction_change_;
+    PackedState whole = packed();
+    if (!change.slips) {
+      const auto rate = static_cast<std::size_t>(model_.joints() + change.joint);
+      values_[rate] -= whole[rate];
+      whole[rate] = 0.0;
+    }
+    change_friction(whole, change.slips ? change.joint : -1);
+    derive(values_, slopes_, time_);
+  }
   if (drive_.come_to_rest(values_)) derive(values_, slopes_, time_);
   next_step_ = drive_.longest_step(values_, slopes_, next_step_);
   drive_.forget_what_is_gone(time_);
@@ -181,16 +223,62 @@ void Stepper::step() {
 }
 
 void Stepper::step_explicitly() {
+  // A change in the first or last thousandth of a step is as good as at its end.
+  constexpr double least = 1e-3;
   advance();
-  const double contact = first_contact();
-  // A change of the faces' contact in the first or last thousandth of a step is as good as at its end.
-  const double share = (contact - previous_time_) / (time_ - previous_time_);
-  if (share >= 1e-3 && share <= 1.0 - 1e-3) {
-    next_step_ = contact - previous_time_;
-    time_ = previous_time_;
-    advance();
-    contact_changed_ = true;
+  const double whole = time_ - previous_time_;
+  double end = first_contact();
+  contact_changed_ = end - previous_time_ >= least * whole && end - previous_time_ <= (1.0 - least) * whole;
+  if (!contact_changed_) end = time_;
+  friction_change_ = first_friction_change(end);
+  if (friction_change_) {
+    // Not at its very start: friction of the wrong sign would keep it there.
+    end = std::max(friction_change_->time, previous_time_ + least * whole);
+    contact_changed_ = false;
   }
+  if (end >= previous_time_ + (1.0 - least) * whole) return;
+  const double next = next_step_;
+  next_step_ = end - previous_time_;
+  time_ = previous_time_;
+  advance();
+  if (time_ < end - least * (end - previous_time_)) friction_change_.reset();  // it took a shorter step
+  if (friction_change_) next_step_ = std::max(next_step_, next);
+}
+
+// The first inside the last step and before that time.
+std::optional<Stepper::FrictionChange> Stepper::first_friction_change(double before) const {
+  std::optional<FrictionChange> first;
+  if (!model_.holds_joints()) return first;
+  const int n = model_.joints();
+  // By how much friction that holds a joint is too large, or how fast one slides against the sign of its friction.
+  const auto excess = [&](double time, int joint) {
+    const PackedState there = time < time_ ? inside(time) : packed();
+    if (held_joints_.holds(joint)) return std::abs(held_joints_.shares(there, derivative_at(time))[joint]) - 1.0;
+    return -held_joints_.signs()[joint] * there[static_cast<std::size_t>(n + joint)];
+  };
+  for (int j = 0; j < n; ++j) {
+    const double end = first ? first->time : before;
+    if (!(excess(end, j) > 0.0)) continue;
+    first = {.time = crossing(previous_time_, end, [&](double time) { return excess(time, j); }),
+             .joint = j,
+             .slips = held_joints_.holds(j)};
+  }
+  return first;
+}
+
+void Stepper::change_friction(const PackedState& whole, int slipping) {
+  friction_change_.reset();
+  if (!model_.holds_joints()) return;
+  held_joints_.decide(whole, slipping, derivative_at(time_));
+  held_joints_.set(held_joints_.signs(), values_);
+}
+
+PackedState Stepper::with_held_joints(PackedState whole, double time) const {
+  if (!held_joints_.any()) return whole;
+  held_joints_.set(held_joints_.shares(whole, derivative_at(time)), whole);
+  for (int j = 0; j < model_.joints(); ++j)
+    if (held_joints_.holds(j)) whole[static_cast<std::size_t>(model_.joints() + j)] = 0.0;
+  return whole;
 }
 
 // An upper bound of the frequency at which the joints ring whose faces push, rad/s: the trace of M^-1 K of the stops.
@@ -295,7 +383,7 @@ double Stepper::first_contact() const {
     const double closing = model_.hinges()[j].contact.closing_angle;
     const bool pressed = before[j] < closing;
     if (pressed == (after[j] < closing)) continue;
-    first = bisected(previous_time_, first, [&](double time) { return (at(time).angles[j] < closing) != pressed; });
+    first = bisected(previous_time_, first, [&](double time) { return (inside(time)[j] < closing) != pressed; });
   }
   return first;
 }
@@ -315,10 +403,14 @@ State Stepper::at(double time) const {
     const MotionVector values = rosenbrock_.at((time - previous_time_) / (time_ - previous_time_));
     return {.angles = values.head(n), .rates = values.tail(n), .internal = {}};
   }
+  return unpack(with_held_joints(inside(time), time));
+}
+
+PackedState Stepper::inside(double time) const {
   PackedState values(values_.size());
   controlled_.stepper().calc_state(time, values, previous_values_, previous_slopes_, previous_time_, values_, slopes_,
                                    time_);
-  return unpack(drive_.whole(std::move(values), time));
+  return drive_.whole(std::move(values), time);
 }
 
 Stepper::Bending Stepper::bending() const {

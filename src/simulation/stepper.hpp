@@ -11,6 +11,7 @@
 #include "coilwright/algebra/smooth_curve.hpp"
 #include "coilwright/simulation/state.hpp"
 #include "frozen_contact.hpp"
+#include "held_joints.hpp"
 #include "known_drive.hpp"
 #include "packed_state.hpp"
 #include "rosenbrock_step.hpp"
@@ -47,15 +48,16 @@ class Stepper {
   /// The same under an input that follows a curve: the currents, then the torques
   /// if there are any. Steps are explicit then.
   void start(double time, const State& state, Input input, std::optional<algebra::SmoothCurve> curve);
-  /// One accepted step; the span it covered is [previous_time(), time()]. It ends where faces meet or part, so that no
-  /// jump of the torques lies inside. A motion that has become infinite is accepted as it is: look at now().
+  /// One accepted step; the span it covered is [previous_time(), time()]. It ends where faces meet or part and where a
+  /// joint under dry friction stops or slips, so that no jump of the torques lies inside. A motion that has become
+  /// infinite is accepted as it is: look at now().
   void step();
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] double previous_time() const { return previous_time_; }
   /// State anywhere in the last step: the method's own continuous extension, of fourth order.
   [[nodiscard]] State at(double time) const;
   /// State at the end of the last step.
-  [[nodiscard]] State now() const { return unpack(packed()); }
+  [[nodiscard]] State now() const { return unpack(with_held_joints(packed(), time_)); }
   /// The same without its three vectors, for whoever looks at every step.
   [[nodiscard]] PackedState packed() const { return drive_.whole(values_, time_); }
   [[nodiscard]] Bending bending() const;
@@ -79,7 +81,19 @@ class Stepper {
   };
   using Controlled = boost::numeric::odeint::controlled_runge_kutta<Pair, ErrorChecker>;
 
+  // Where a joint stops that slides, or slips that was held.
+  struct FrictionChange {
+    double time{};
+    int joint{};
+    bool slips{};
+  };
+
   void step_explicitly();
+  [[nodiscard]] std::optional<FrictionChange> first_friction_change(double before) const;
+  void change_friction(const PackedState& whole, int slipping);
+  [[nodiscard]] PackedState inside(double time) const;
+  [[nodiscard]] PackedState with_held_joints(PackedState whole, double time) const;
+  [[nodiscard]] HeldJoints::Derivative derivative_at(double time) const;
   [[nodiscard]] bool step_stiffly(double frequency);
   [[nodiscard]] double contact_frequency() const;
   [[nodiscard]] double stiff_error(double step) const;
@@ -92,6 +106,8 @@ class Stepper {
   [[nodiscard]] double first_step() const;
   void derive(const PackedState& values, PackedState& slopes, double time) const;
   void derive_whole(const PackedState& values, PackedState& slopes, double time) const;
+  // The same with the friction that `values` have, of held joints too.
+  void derive_as_it_is(const PackedState& values, PackedState& slopes, double time) const;
   [[nodiscard]] State unpack(const PackedState& values) const;
 
   const actuator::Model& model_;
@@ -108,6 +124,8 @@ class Stepper {
   PackedState previous_slopes_;
   Tolerance tolerance_;
   mechanics::JointVector squared_contact_frequencies_;  // of each joint alone while its faces push, 1/s^2
+  HeldJoints held_joints_;
+  std::optional<FrictionChange> friction_change_;  // at the end of the last step
   RosenbrockStep rosenbrock_;
   bool last_was_stiff_ = false;
   bool contact_changed_ = false;  // at the end of the last step

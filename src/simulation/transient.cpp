@@ -89,7 +89,7 @@ class RestWatch {
     since_ = stepper.time();
     from_ = stepper.packed();
   }
-  // Angles and states of effects; rates follow. A bristle trembles by more than a joint.
+  // Angles and states of effects; rates follow. A stiff state trembles by more than a joint.
   [[nodiscard]] bool stays(const PackedState& now) const {
     const auto stay = [&](std::size_t first, std::size_t last, double errors) {
       for (std::size_t i = first; i < last; ++i)

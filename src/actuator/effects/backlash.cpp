@@ -13,7 +13,7 @@ using mechanics::JointVector;
 constexpr double inertia_share = 0.3;
 
 // On its seat the magnet swings at this angular frequency, rad/s, with this damping ratio: silicone gives way and takes
-// up the blow. As of bristles, no camera sees that it is not infinite.
+// up the blow. No camera sees that it is not infinite.
 constexpr double seat_frequency = 1500.0;
 constexpr double seat_damping = 0.5;
 

@@ -3,112 +3,78 @@
 
 #include "actuator/effects/effect_rows.hpp"
 
-// What brakes a joint that moves: friction on bristles, of its own and of its drive, and drag.
+// What brakes a joint that moves: dry friction, of its own and of its drive, and drag.
 namespace coilwright::actuator::effects {
 namespace {
 
 using mechanics::JointVector;
 
-// A joint that sticks swings on its bristles at this angular frequency, rad/s, with this damping ratio: it springs
-// back by 0.04 mrad in a finger with 0.6 N mm, and no rig asks for steps shorter than 2 ms by sticking. At 300 rad/s
-// joints came to rest up to half a degree beside where Coulomb's law holds them.
-constexpr double presliding_frequency = 1500.0;
-constexpr double presliding_damping = 0.7;
-
-// Fastest turning over of a bristle, 1/s. Without a floor, weak friction on a fast joint turns over within
-// microseconds and the integrator has to follow; half a millisecond is below a sample.
-constexpr double turnover_rate = 2e3;
-
-// How much more than sliding friction a joint at rest holds, and how fast that falls: a bristle breaks at
-// gamma = 1 + (rho - 1) exp(-(w / w_s)^2) times the deflection of a sliding one.
+// How much more than sliding friction a joint at rest holds, and how fast that falls:
+// gamma = 1 + (rho - 1) exp(-(w / w_s)^2) times the friction of a fast one.
 struct StribeckFall {
-  double excess{};  // rho - 1
-  double rate{};    // w_s, rad/s
+  double excess{};    // rho - 1
+  double rate = 1.0;  // w_s, rad/s
 
-  [[nodiscard]] double breaking(double speed) const {
-    const double share = speed / rate;
-    return 1.0 + excess * std::exp(-share * share);
+  [[nodiscard]] double factor(double rate_now) const {
+    const double share = rate_now / rate;
+    return excess == 0.0 ? 1.0 : 1.0 + excess * std::exp(-share * share);
   }
 };
 
-// One state a joint: the bristle's deflection over that of a sliding one, y = s0 z / tau_c, in [-rho, rho].
-//
-// With delta = tau_c / s0 and s = w - |w| y / gamma:
-//   y' = s / (delta + |w| / r),   F = tau_c y + s1 s / (1 + s1 |w| / (c tau_c)),   c = max(1, rho / 2).
-// Passive whatever the motion, F w - d/dt(tau_c delta y^2 / 2) >= 0, where s1 >= c s0 / r and rho <= 3; here s1 / s0 =
-// 2 zeta / 1500 s = 1.9 / r. (docs/theory/effects.md. Without Stribeck's fall s1 >= s0 / (2 r) is enough.) The plain
-// LuGre law (r infinite, s1 not tapered) is so only up to |w| = 4 tau_c / s1.
-class BristleTerm : public EffectTerm {
+// Coulomb's law, with where it stands between its two regimes as a state: F = tau_c gamma(w) y, y = sgn(w) of a joint
+// that slides, and whatever holds it, |y| <= 1, of one at rest (EffectTerm::holds_joints).
+class CoulombTerm : public EffectTerm {
  public:
-  int states() const final { return static_cast<int>(stiffness_.size()); }
+  explicit CoulombTerm(int joints) : joints_(joints) {}
+  int states() const final { return joints_; }
+  bool holds_joints() const final { return true; }
 
  protected:
-  explicit BristleTerm(JointVector stiffness, StribeckFall fall = {})
-      : stiffness_(std::move(stiffness)),
-        damping_(2.0 * presliding_damping / presliding_frequency * stiffness_),
-        most_damped_(std::max(1.0, 0.5 * (1.0 + fall.excess))),
-        fall_(fall) {}
-
-  // Joint j, whose sliding friction is tau_c = `torque` >= 0, N m.
-  void brake(const Kinematics& motion, int j, double torque, InternalStateView own, JointVector& torques) const {
-    const double rate = motion.rates[j];
-    const double speed = std::abs(rate);
-    const double bent = fall_.excess == 0.0 ? own.states[j] : own.states[j] / fall_.breaking(speed);
-    const double slip = rate - speed * bent;
-    if (torque > 0.0) {
-      const double damped = most_damped_ * damping_[j] * slip / (most_damped_ * torque + damping_[j] * speed);
-      torques[j] -= torque * (own.states[j] + damped);
-    }
-    if (own.slopes == nullptr) return;
-    const double turning = torque + stiffness_[j] * speed / turnover_rate;
-    own.slopes[j] = turning > 0.0 ? stiffness_[j] * slip / turning : 0.0;
+  static void leave(InternalStateView own, int joint) {
+    if (own.slopes != nullptr) own.slopes[joint] = 0.0;
   }
 
  private:
-  JointVector stiffness_;  // s0, N m/rad
-  JointVector damping_;    // s1, N m s/rad
-  double most_damped_;     // c: the most that the bristles' damping can make of tau_c where they do not bend
-  StribeckFall fall_;
+  int joints_;
 };
 
-class FrictionTerm final : public BristleTerm {
+class FrictionTerm final : public CoulombTerm {
  public:
-  FrictionTerm(JointVector stiffness, double torque, StribeckFall fall)
-      : BristleTerm(std::move(stiffness), fall), torque_(torque) {}
+  FrictionTerm(int joints, double torque, StribeckFall fall) : CoulombTerm(joints), torque_(torque), fall_(fall) {}
 
   void add_torques(const Kinematics& motion, const CoilCurrents& /*strength*/, InternalStateView own,
                    JointVector& torques) const override {
-    for (int j = 0; j < states(); ++j) brake(motion, j, torque_, own, torques);
+    for (int j = 0; j < states(); ++j) {
+      torques[j] -= torque_ * fall_.factor(motion.rates[j]) * own.states[j];
+      leave(own, j);
+    }
   }
 
  private:
   double torque_;  // tau_c, N m; > 0
+  StribeckFall fall_;
 };
 
-// Friction whose torque tau_c = mu |q_drive| follows the drive: y stays in [-1, 1] however that changes. Where a drive
-// changes under bent bristles their energy tau_c^2 y^2 / (2 s0) changes with it: 1e-8 J of a finger's, below what any
-// record shows.
-class LoadFrictionTerm final : public BristleTerm {
+// Friction whose torque tau_c = mu |q_drive| follows the drive.
+class LoadFrictionTerm final : public CoulombTerm {
  public:
-  LoadFrictionTerm(JointVector stiffness, MagneticStage drives, double coefficient)
-      : BristleTerm(std::move(stiffness)), drives_(std::move(drives)), coefficient_(coefficient) {}
+  LoadFrictionTerm(int joints, MagneticStage drives, double coefficient)
+      : CoulombTerm(joints), drives_(std::move(drives)), coefficient_(coefficient) {}
 
   void add_torques(const Kinematics& motion, const CoilCurrents& strength, InternalStateView own,
                    JointVector& torques) const override {
     JointVector drive = motion.applied != nullptr ? *motion.applied : JointVector::Zero(states());
     drives_.add_torques(motion.chain, motion.angles, strength, drive);
-    for (int j = 0; j < states(); ++j) brake(motion, j, coefficient_ * std::abs(drive[j]), own, torques);
+    for (int j = 0; j < states(); ++j) {
+      torques[j] -= coefficient_ * std::abs(drive[j]) * own.states[j];
+      leave(own, j);
+    }
   }
 
  private:
   MagneticStage drives_;
   double coefficient_;  // mu; > 0
 };
-
-// Stiffness of the bristles of every joint, N m/rad.
-JointVector bristles_of(const ModelSpec& spec) {
-  return presliding_frequency * presliding_frequency * spec.chain.joint_mobility().cwiseInverse();
-}
 
 constexpr EffectParameter torque_parameter = from_zero("torque_Nmm", "friction torque of a sliding joint, every joint");
 constexpr std::string_view friction_check =
@@ -119,12 +85,9 @@ EffectProperties stribeck_friction() {
       .id = "dry_friction",
       .stage = Stage::hinge,
       .description = "friction at the hinges or segment faces that falls once they slide",
-      .equation =
-          "q -= tau_c (1 + (rho - 1) exp(-(omega/omega_s)^2)) sgn(omega), every joint; sticks up to rho tau_c, on "
-          "bristles of 1500 rad/s",
+      .equation = "q -= tau_c (1 + (rho - 1) exp(-(omega/omega_s)^2)) sgn(omega), every joint; sticks up to rho tau_c",
       .source =
-          "LuGre with Stribeck's fall: Canudas de Wit et al., IEEE Trans. Autom. Control 40 (1995) 419, eqs. (4) and "
-          "(5)",
+          "Stribeck's fall in the form of Canudas de Wit et al., IEEE Trans. Autom. Control 40 (1995) 419, eq. (5)",
       .check = friction_check,
       .parameters =
           {torque_parameter,
@@ -144,7 +107,7 @@ EffectProperties stribeck_friction() {
             return out;
           },
       .build = [](Values values, ModelSpec& spec) -> Term {
-        return std::make_unique<FrictionTerm>(bristles_of(spec), values[0],
+        return std::make_unique<FrictionTerm>(spec.chain.joints(), values[0],
                                               StribeckFall{.excess = values[1] - 1.0, .rate = values[2]});
       }};
 }
@@ -155,16 +118,14 @@ EffectProperties dry_friction() {
   return {.id = "dry_friction",
           .stage = Stage::hinge,
           .description = "Coulomb friction at the hinges or segment faces",
-          .equation = "q -= tau_c sgn(omega), every joint; sticks up to tau_c, on bristles of 1500 rad/s",
-          .source =
-              "LuGre without Stribeck: Canudas de Wit et al., IEEE Trans. Autom. Control 40 (1995) 419; Astrom and "
-              "Canudas de Wit, IEEE Control Syst. Mag. 28 (2008) 101",
+          .equation = "q -= tau_c sgn(omega), every joint; sticks up to tau_c",
+          .source = "Coulomb's law: Armstrong-Helouvry et al., Automatica 30 (1994) 1083, section 3.1",
           .check = friction_check,
           .parameters = {torque_parameter},
           .further = &kind_of<stribeck_friction>(),
           .starts = shares_of(&RigScale::torque, {0.02, 0.15}),
           .build = [](Values values, ModelSpec& spec) -> Term {
-            return std::make_unique<FrictionTerm>(bristles_of(spec), values[0], StribeckFall{});
+            return std::make_unique<FrictionTerm>(spec.chain.joints(), values[0], StribeckFall{});
           }};
 }
 
@@ -174,8 +135,7 @@ EffectProperties load_friction() {
       .stage = Stage::hinge,
       .description = "friction of gears and bearings that grows with the torque they pass on",
       .equation =
-          "q -= mu |q_drive| sgn(omega), every joint, q_drive the torque of its motor; sticks up to mu |q_drive|, on "
-          "bristles of 1500 rad/s",
+          "q -= mu |q_drive| sgn(omega), every joint, q_drive the torque of its motor; sticks up to mu |q_drive|",
       .source =
           "load-dependent part of the friction of a robot's joint: Bittencourt and Gunnarsson, J. Dyn. Syst. Meas. "
           "Control 134 (2012) 051013, linear in the magnitude of the joint's torque",
@@ -185,7 +145,7 @@ EffectProperties load_friction() {
       .parameters = {from_zero("coefficient", "friction over the magnitude of the drive's torque, every joint", 1.0)},
       .starts = always({0.03, 0.2}),
       .build = [](Values values, ModelSpec& spec) -> Term {
-        return std::make_unique<LoadFrictionTerm>(bristles_of(spec), spec.magnetics, values[0]);
+        return std::make_unique<LoadFrictionTerm>(spec.chain.joints(), spec.magnetics, values[0]);
       },
       .inapplicable = without_shafts};
 }

@@ -161,8 +161,8 @@ EffectProperties viscoelastic_creep() {
           .inapplicable = without_springs};
 }
 
-// The same law as dry friction's bristle, but wide: a loop that needs degrees to turn over is the material's, one that
-// turns over within a milliradian is friction. The bound on the sharpness, 100/rad or 10 mrad, keeps the two apart.
+// A loop that needs degrees to turn over is the material's; one that turns over at once is dry friction, the limit of
+// this law. The bound on the sharpness, 100/rad or 10 mrad, keeps the two apart.
 EffectProperties hysteresis() {
   return {.id = "hysteresis",
           .stage = Stage::hinge,

@@ -43,6 +43,7 @@ void Model::number_states() {
   drive_states_ = 0;
   camera_states_ = 0;
   camera_filters_ = false;
+  holds_joints_ = false;
   bodies_ = 0;
   for (Term& term : terms_) {
     if (term.held) continue;
@@ -51,6 +52,7 @@ void Model::number_states() {
     bodies_ += term.effect->bodies();
     if (term.stage == Stage::drive) drive_states_ = internal_states_;
     if (term.stage == Stage::camera) camera_states_ += term.effect->states();
+    holds_joints_ = holds_joints_ || term.effect->holds_joints();
     camera_filters_ = camera_filters_ || (term.stage == Stage::camera && term.effect->shows());
   }
   if (bodies_ > max_bodies)
@@ -66,6 +68,11 @@ bool Model::is_of_a_body(int internal_state) const {
     const int place = internal_state - term.first;
     return !term.held && place >= 0 && place < 2 * term.effect->bodies();
   });
+}
+
+void Model::set_friction(const JointVector& shares, std::span<double> internal) const {
+  for (const Term& term : terms_)
+    if (!term.held && term.effect->holds_joints()) std::copy_n(shares.data(), joints(), internal.data() + term.first);
 }
 
 double Model::drive_lag() const noexcept {

@@ -57,7 +57,8 @@ Scene scene(const Model& model, int i) {
 }
 
 JointVector accelerations(const Model& model, const Scene& at) {
-  const actuator::InternalStates states = model.settled(at.angles, at.currents);
+  actuator::InternalStates states = model.settled(at.angles, at.currents);
+  model.set_friction(at.rates.cwiseSign(), {states.data(), static_cast<std::size_t>(states.size())});
   std::vector<double> slopes(static_cast<std::size_t>(states.size()));
   JointVector out(model.joints());
   model.derivative(at.angles, at.rates, {states.data(), slopes.size()}, at.currents, at.torques, out, slopes);

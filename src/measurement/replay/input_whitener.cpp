@@ -115,7 +115,10 @@ class Covariance {
   }
 
   [[nodiscard]] MatrixXd step_over(double from, double to, double kept) const {
-    const LinearStep step = step_of(about(0.5 * (from + to)), to - from);
+    const double middle = 0.5 * (from + to);
+    LinearMotion motion = about(middle);
+    hold_joints(model_, motion_.at(middle), motion);
+    const LinearStep step = step_of(motion, to - from);
     MatrixXd out = MatrixXd::Zero(free.rows(), free.cols());
     out.topLeftCorner(states(), states()) = step.transition;
     out.topRightCorner(states(), errors()) = step.response;

@@ -77,6 +77,17 @@ LinearMotion linear_motion(const Model& model, const State& state, const Driving
   return out;
 }
 
+void hold_joints(const Model& model, const State& state, LinearMotion& motion) {
+  if (!model.holds_joints()) return;
+  for (Eigen::Index j = 0; j < model.joints(); ++j) {
+    if (state.rates[j] != 0.0) continue;
+    for (const Eigen::Index row : {j, model.joints() + j}) {
+      motion.by_state.row(row).setZero();
+      motion.by_input.row(row).setZero();
+    }
+  }
+}
+
 LinearStep step_of(const LinearMotion& motion, double duration) {
   algebra::HeldResponse held = algebra::held_response(motion.by_state, duration);
   return {.transition = std::move(held.transition), .response = held.integral * motion.by_input};

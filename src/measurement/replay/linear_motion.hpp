@@ -36,9 +36,12 @@ struct LinearMotion {
 };
 
 /// By forward differences of Model::derivative; `units` is what one unit of each column is. At a corner of the equation
-/// (faces that just meet, a joint that just sticks) that of the side to which the differences lead.
+/// (faces that just meet) that of the side to which the differences lead.
 [[nodiscard]] LinearMotion linear_motion(const actuator::Model& model, const simulation::State& state,
                                          const DrivingInput& input, std::span<const DrivingInput> units);
+
+/// Takes from a linear motion what joints would do that dry friction holds at rest in that state: nothing.
+void hold_joints(const actuator::Model& model, const simulation::State& state, LinearMotion& motion);
 
 /// What becomes of small changes in a time: x of its end is transition x + response u, while u is held.
 struct LinearStep {

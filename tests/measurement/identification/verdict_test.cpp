@@ -74,7 +74,7 @@ TEST(Answer, TakesAnEffectWithFurtherNumbersForTheSame) {
   EXPECT_TRUE(answer.rivals.empty());
 }
 
-// However certain: a thousandth of an angle that bristles leave at rest is no scale that is off.
+// However certain: a thousandth of an angle that a stop leaves at rest is no scale that is off.
 TEST(Answer, LeavesOutWhatNobodyWouldSee) {
   EXPECT_TRUE(reported({.hypotheses = {at_the_noise({drag}), without_much(0.09, {}, 1e-9)}}).empty());
   EXPECT_EQ(reported({.hypotheses = {at_the_noise({drag, loop}), without_much(0.09, {drag}, 1e-9), with({}, 0.0)}}),

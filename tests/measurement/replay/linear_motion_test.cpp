@@ -59,7 +59,7 @@ void expect_as_simulated(const Model& model, const State& start, double toleranc
       linear_motion(model, middle, {.currents = actuator::CoilCurrents(0), .torques = torques}, one_each(model)),
       duration);
   const Eigen::VectorXd end = packed(after(model, start, torques, duration));
-  for (Eigen::Index i = 0; i < size_of_changes(model); ++i) {
+  for (Eigen::Index i = 0; i < 2 * model.joints(); ++i) {
     const State moved = displaced(start, change * Eigen::VectorXd::Unit(size_of_changes(model), i));
     const Eigen::VectorXd found = (packed(after(model, moved, torques, duration)) - end) / change;
     EXPECT_LT((found - step.transition.col(i)).lpNorm<Eigen::Infinity>(), tolerance * found.lpNorm<Eigen::Infinity>())
@@ -78,12 +78,30 @@ TEST(LinearMotion, OfTwoSwingingLinksIsThatOfDisplacedSimulations) {
   expect_as_simulated(two_links(false), start, 1e-4);
 }
 
-// The bristles of sliding joints do not give way any more.
+// The states of friction follow from the motion: they have no changes of their own.
 TEST(LinearMotion, OfSlidingJointsIsThatOfDisplacedSimulations) {
   const State start{.angles = Eigen::Vector2d(0.7, -0.4),
                     .rates = Eigen::Vector2d(3.0, -5.0),
                     .internal = Eigen::Vector2d(1.0, -1.0)};
   expect_as_simulated(two_links(true), start, 2e-3);
+}
+
+TEST(LinearMotion, LeavesHeldJointsAtRest) {
+  const Model model = two_links(true);
+  const State held{
+      .angles = Eigen::Vector2d(0.7, -0.4), .rates = Eigen::Vector2d(3.0, 0.0), .internal = Eigen::Vector2d(1.0, 0.3)};
+  const DrivingInput input{.currents = actuator::CoilCurrents(0), .torques = Eigen::Vector2d(0.3, -0.2)};
+  LinearMotion motion = linear_motion(model, held, input, one_each(model));
+  const LinearMotion free = motion;
+  hold_joints(model, held, motion);
+  for (const Eigen::Index row : {1, 3}) {
+    EXPECT_EQ(motion.by_state.row(row).norm(), 0.0);
+    EXPECT_EQ(motion.by_input.row(row).norm(), 0.0);
+  }
+  for (const Eigen::Index row : {0, 2}) {
+    EXPECT_EQ(motion.by_state.row(row), free.by_state.row(row));
+    EXPECT_EQ(motion.by_input.row(row), free.by_input.row(row));
+  }
 }
 
 }  // namespace

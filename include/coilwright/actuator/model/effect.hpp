@@ -17,7 +17,7 @@ struct ModelSpec;
 
 /// The most states of their own that all effects of a model may have together.
 inline constexpr int max_internal_states = 128;
-/// States of the effects, in the order of the effects: currents, heat, creep, bristles, each in its own unit.
+/// States of the effects, in the order of the effects: currents, heat, creep, friction, each in its own unit.
 using InternalStates = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_internal_states, 1>;
 
 /// The most bodies of their own that all effects of a model may have together.
@@ -102,6 +102,10 @@ class EffectTerm {
   /// Magnetics, hinge and chain: adds joint torques, N m, opening positive.
   virtual void add_torques(const Kinematics& motion, const CoilCurrents& strength, InternalStateView own,
                            mechanics::JointVector& torques) const;
+  /// Magnetics, hinge and chain: whether it is dry friction, which may hold a joint at rest. Its states are then one a
+  /// joint, y: its torque on a sliding joint is that of y = sgn(omega), on a joint at rest that of any y from -1 to 1,
+  /// and it is linear in y. Whoever follows a motion sets them (Model::set_friction); their slopes are zero.
+  [[nodiscard]] virtual bool holds_joints() const { return false; }
   /// Damping of small motions about a pose at rest, N m s/rad, added to `damping` (n, n).
   virtual void add_damping(const Kinematics& motion, const CoilCurrents& strength,
                            mechanics::JointMatrix& damping) const;

@@ -22,7 +22,7 @@ struct ShownMotion {
 
 /// An actuator for simulation: drive, magnetics, hinge, chain, camera in a row. Immutable; copies share what is large.
 ///
-/// Effects may carry states of their own (currents, heat, creep, bristles). Static queries (torques, equilibria,
+/// Effects may carry states of their own (currents, heat, creep, friction). Static queries (torques, equilibria,
 /// stiffness) use the steady values of all these states at that pose, unless another InitialHistory is asked for.
 class Model {
  public:
@@ -60,6 +60,12 @@ class Model {
   /// The effective currents, A, after a long hold at `angles` (rad) under `command` (A): the coil currents that the
   /// drive lets through, scaled by what a warm magnet or a gain does to their force.
   [[nodiscard]] CoilCurrents strength(const mechanics::JointVector& angles, const CoilCurrents& command) const;
+
+  /// Whether dry friction may hold joints at rest (EffectTerm::holds_joints).
+  [[nodiscard]] bool holds_joints() const noexcept { return holds_joints_; }
+  /// Sets the states of all dry friction in `internal`, all states of this model: of each joint sgn(omega) where it
+  /// slides, the share of its largest torque with which it is held where it rests.
+  void set_friction(const mechanics::JointVector& shares, std::span<double> internal) const;
 
   /// Whether an effect moves so slowly that a step response is taken with it held.
   [[nodiscard]] bool has_slow_states() const noexcept;
@@ -187,6 +193,7 @@ class Model {
   int drive_states_ = 0;
   int camera_states_ = 0;
   bool camera_filters_ = false;
+  bool holds_joints_ = false;
   int bodies_ = 0;
 };
 

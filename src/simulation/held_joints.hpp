@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "coilwright/actuator/model/model.hpp"
+#include "packed_state.hpp"
+
+namespace coilwright::simulation {
+
+/// The joints that dry friction holds at rest, and the ways in which the others slide. Between two changes of these a
+/// motion under Coulomb's law is smooth: friction keeps its sign where a joint slides, and a held joint does not move,
+/// whatever its friction has to be for that.
+class HeldJoints {
+ public:
+  /// Slopes of a whole state, with the states of friction as they stand in it.
+  using Derivative = std::function<void(const PackedState& values, PackedState& slopes)>;
+
+  explicit HeldJoints(const actuator::Model& model);
+
+  [[nodiscard]] bool any() const { return !held_.empty(); }
+  [[nodiscard]] bool holds(int joint) const;
+  /// Of friction on each joint, as EffectTerm::holds_joints has it: the sign of its sliding, 0 where it is held.
+  [[nodiscard]] const mechanics::JointVector& signs() const { return signs_; }
+
+  /// Decides anew. A joint whose rate is exactly zero is held where
+  /// friction suffices, and else begins to slide as it is pulled. There is one answer: the accelerations a of least
+  /// a^T M a / 2 - a^T q + sum of h |a| over the joints at rest, h what each can hold (Gauss's principle). `slipping`:
+  /// a joint that is known to be pulled too hard, if by no more than rounding; -1: none.
+  void decide(const PackedState& values, int slipping, const Derivative& derive);
+
+  /// Slopes of `values` in which held joints stay at rest.
+  void hold(PackedState values, PackedState& slopes, const Derivative& derive) const;
+  /// Of friction on all joints in that: signs(), and of a held joint the share of its largest friction that holds it,
+  /// beyond -1 to 1 where that does not suffice.
+  [[nodiscard]] mechanics::JointVector shares(PackedState values, const Derivative& derive) const;
+  /// Writes shares of friction to its states.
+  void set(const mechanics::JointVector& shares, PackedState& values) const;
+
+ private:
+  struct Pull;
+  [[nodiscard]] Pull pull_on(const std::vector<int>& joints, PackedState values, const Derivative& derive) const;
+  void stop(PackedState& values) const;
+
+  const actuator::Model& model_;
+  std::vector<int> held_;
+  mechanics::JointVector signs_;
+};
+
+}  // namespace coilwright::simulation

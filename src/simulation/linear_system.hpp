@@ -11,8 +11,8 @@ namespace coilwright::simulation {
 /// themselves when displaced (a lag, a creep).
 ///
 /// A state that does not (a share of friction, a bristle that stays bent) belongs to what sticks, which has no small
-/// motions that are linear: it is left out, as if it were at its settled value for good. So are bodies beside the chain (a mount, a
-/// loose magnet): these are the motions of the joints with all bodies at rest in their places.
+/// motions that are linear: it is left out, as if it were at its settled value for good. So are bodies beside the chain
+/// (a mount, a loose magnet): these are the motions of the joints with all bodies at rest in their places.
 struct LinearSystem {
   Eigen::MatrixXd matrix;              ///< (2n + relaxing, 2n + relaxing), 1/s between like units
   int relaxing{};                      ///< states of effects in it, the last ones

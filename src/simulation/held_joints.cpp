@@ -12,12 +12,11 @@ namespace coilwright::simulation {
 using mechanics::JointMatrix;
 using mechanics::JointVector;
 
-// Slopes with some joints at rest as functions of the shares y of friction on them: they are linear in these.
+// Accelerations of some joints at rest, rad/s^2, in which the shares y of friction on them are linear: free + by_share
+// y.
 struct HeldJoints::Pull {
-  PackedState free;                   // without friction on them
-  std::vector<PackedState> by_share;  // what the whole friction of each adds
-  JointVector acceleration;           // of them, rad/s^2: acceleration + matrix y
-  JointMatrix matrix;
+  JointVector free;
+  JointMatrix by_share;
 };
 
 HeldJoints::HeldJoints(const actuator::Model& model) : model_(model), signs_(JointVector::Zero(model.joints())) {}
@@ -36,30 +35,24 @@ HeldJoints::Pull HeldJoints::pull_on(const std::vector<int>& joints, PackedState
   // rad/s^2: a friction without any torque, of a drive that has none, counts as one that could just do this.
   constexpr double weakest = 1e-9;
   const auto count = static_cast<Eigen::Index>(joints.size());
-  JointVector shares = signs_;
-  const auto slopes = [&] {
-    PackedState out(values.size(), 0.0);
+  PackedState slopes(values.size(), 0.0);
+  const auto accelerations = [&](const JointVector& shares) {
     set(shares, values);
-    derive(values, out);
-    return out;
-  };
-  const auto accelerations = [&](const PackedState& of) {
+    derive(values, slopes);
     JointVector out(count);
     for (Eigen::Index k = 0; k < count; ++k)
-      out[k] = of[static_cast<std::size_t>(model_.joints() + joints[static_cast<std::size_t>(k)])];
+      out[k] = slopes[static_cast<std::size_t>(model_.joints() + joints[static_cast<std::size_t>(k)])];
     return out;
   };
+  JointVector shares = signs_;
   for (const int joint : joints) shares[joint] = 0.0;
-  Pull out{.free = slopes(), .by_share = {}, .acceleration = {}, .matrix = JointMatrix(count, count)};
-  out.acceleration = accelerations(out.free);
+  Pull out{.free = accelerations(shares), .by_share = JointMatrix(count, count)};
   for (Eigen::Index k = 0; k < count; ++k) {
     double& share = shares[joints[static_cast<std::size_t>(k)]];
     share = 1.0;
-    PackedState& more = out.by_share.emplace_back(slopes());
+    out.by_share.col(k) = accelerations(shares) - out.free;
+    out.by_share(k, k) -= weakest;
     share = 0.0;
-    for (std::size_t i = 0; i < more.size(); ++i) more[i] -= out.free[i];
-    out.matrix.col(k) = accelerations(more);
-    out.matrix(k, k) -= weakest;
   }
   return out;
 }
@@ -76,13 +69,13 @@ void HeldJoints::decide(const PackedState& values, int slipping, const Derivativ
     const Pull pull = pull_on(resting, values, derive);
     // Gauss and Seidel's method for the shares, each within its bounds: it converges, since M is positive definite.
     constexpr int most = 1000;
-    JointVector shares = JointVector::Zero(pull.acceleration.size());
+    JointVector shares = JointVector::Zero(pull.free.size());
     double moved = 1.0;
     for (int sweep = 0; sweep < most && moved > 1e-14; ++sweep) {
       moved = 0.0;
       for (Eigen::Index k = 0; k < shares.size(); ++k) {
-        const double left = pull.acceleration[k] + pull.matrix.row(k).dot(shares);
-        const double share = std::clamp(shares[k] - left / pull.matrix(k, k), -1.0, 1.0);
+        const double left = pull.free[k] + pull.by_share.row(k).dot(shares);
+        const double share = std::clamp(shares[k] - left / pull.by_share(k, k), -1.0, 1.0);
         moved = std::max(moved, std::abs(share - shares[k]));
         shares[k] = share;
       }
@@ -97,25 +90,10 @@ void HeldJoints::decide(const PackedState& values, int slipping, const Derivativ
   }
 }
 
-void HeldJoints::stop(PackedState& values) const {
-  for (const int joint : held_) values[static_cast<std::size_t>(model_.joints() + joint)] = 0.0;
-}
-
-void HeldJoints::hold(PackedState values, PackedState& slopes, const Derivative& derive) const {
-  stop(values);
-  Pull pull = pull_on(held_, std::move(values), derive);
-  const JointVector found = pull.matrix.partialPivLu().solve(-pull.acceleration);
-  for (std::size_t k = 0; k < held_.size(); ++k)
-    for (std::size_t i = 0; i < slopes.size(); ++i)
-      pull.free[i] += found[static_cast<Eigen::Index>(k)] * pull.by_share[k][i];
-  stop(pull.free);
-  slopes = pull.free;
-}
-
 JointVector HeldJoints::shares(PackedState values, const Derivative& derive) const {
-  stop(values);
+  for (const int joint : held_) values[static_cast<std::size_t>(model_.joints() + joint)] = 0.0;
   const Pull pull = pull_on(held_, std::move(values), derive);
-  const JointVector found = pull.matrix.partialPivLu().solve(-pull.acceleration);
+  const JointVector found = pull.by_share.partialPivLu().solve(-pull.free);
   JointVector out = signs_;
   for (std::size_t k = 0; k < held_.size(); ++k) out[held_[k]] = found[static_cast<Eigen::Index>(k)];
   return out;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "coilwright/actuator/model/model.hpp"
@@ -13,12 +14,13 @@ namespace coilwright::simulation {
 /// whatever its friction has to be for that.
 class HeldJoints {
  public:
-  /// Slopes of a whole state, with the states of friction as they stand in it.
+  /// Slopes of a whole state with friction as it stands in it, and nothing else that holds a joint.
   using Derivative = std::function<void(const PackedState& values, PackedState& slopes)>;
 
   explicit HeldJoints(const actuator::Model& model);
 
-  [[nodiscard]] bool any() const { return !held_.empty(); }
+  /// In ascending order.
+  [[nodiscard]] std::span<const int> held() const { return held_; }
   [[nodiscard]] bool holds(int joint) const;
   /// Of friction on each joint, as EffectTerm::holds_joints has it: the sign of its sliding, 0 where it is held.
   [[nodiscard]] const mechanics::JointVector& signs() const { return signs_; }
@@ -29,10 +31,8 @@ class HeldJoints {
   /// a joint that is known to be pulled too hard, if by no more than rounding; -1: none.
   void decide(const PackedState& values, int slipping, const Derivative& derive);
 
-  /// Slopes of `values` in which held joints stay at rest.
-  void hold(PackedState values, PackedState& slopes, const Derivative& derive) const;
-  /// Of friction on all joints in that: signs(), and of a held joint the share of its largest friction that holds it,
-  /// beyond -1 to 1 where that does not suffice.
+  /// Of friction on all joints at `values`: signs(), and of a held joint the share of its largest friction that holds
+  /// it, beyond -1 to 1 where that does not suffice.
   [[nodiscard]] mechanics::JointVector shares(PackedState values, const Derivative& derive) const;
   /// Writes shares of friction to its states.
   void set(const mechanics::JointVector& shares, PackedState& values) const;
@@ -40,7 +40,6 @@ class HeldJoints {
  private:
   struct Pull;
   [[nodiscard]] Pull pull_on(const std::vector<int>& joints, PackedState values, const Derivative& derive) const;
-  void stop(PackedState& values) const;
 
   const actuator::Model& model_;
   std::vector<int> held_;

@@ -119,26 +119,21 @@ algebra::SmoothCurve Stepper::drive_ends() const {
 }
 
 HeldJoints::Derivative Stepper::derivative_at(double time) const {
-  return [this, time](const PackedState& values, PackedState& slopes) { derive_as_it_is(values, slopes, time); };
+  return [this, time](const PackedState& values, PackedState& slopes) { derive_held(values, slopes, time, {}); };
 }
 
-void Stepper::derive_whole(const PackedState& values, PackedState& slopes, double time) const {
-  if (held_joints_.any())
-    held_joints_.hold(values, slopes, derivative_at(time));
-  else
-    derive_as_it_is(values, slopes, time);
-}
-
-void Stepper::derive_as_it_is(const PackedState& values, PackedState& slopes, double time) const {
+void Stepper::derive_held(const PackedState& values, PackedState& slopes, double time,
+                          std::span<const int> held) const {
   const int n = model_.joints();
   const auto count = static_cast<std::size_t>(model_.internal_states());
   const mechanics::JointVector angles = Eigen::Map<const Eigen::VectorXd>(values.data(), n);
-  const mechanics::JointVector rates = Eigen::Map<const Eigen::VectorXd>(values.data() + n, n);
+  mechanics::JointVector rates = Eigen::Map<const Eigen::VectorXd>(values.data() + n, n);
+  for (const int joint : held) rates[joint] = 0.0;
   mechanics::JointVector accelerations;
   std::fill_n(slopes.data() + 2 * n, count, 0.0);
   const auto under = [&](const actuator::CoilCurrents& currents, const mechanics::JointVector& applied) {
     model_.derivative(angles, rates, {values.data() + 2 * n, count}, currents, applied, accelerations,
-                      {slopes.data() + 2 * n, count});
+                      {slopes.data() + 2 * n, count}, held);
   };
   if (curve_) {
     const Input now = input_at(time);
@@ -274,10 +269,9 @@ void Stepper::change_friction(const PackedState& whole, int slipping) {
 }
 
 PackedState Stepper::with_held_joints(PackedState whole, double time) const {
-  if (!held_joints_.any()) return whole;
+  if (held_joints_.held().empty()) return whole;
   held_joints_.set(held_joints_.shares(whole, derivative_at(time)), whole);
-  for (int j = 0; j < model_.joints(); ++j)
-    if (held_joints_.holds(j)) whole[static_cast<std::size_t>(model_.joints() + j)] = 0.0;
+  for (const int joint : held_joints_.held()) whole[static_cast<std::size_t>(model_.joints() + joint)] = 0.0;
   return whole;
 }
 

@@ -5,6 +5,7 @@
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "coilwright/actuator/model/model.hpp"
@@ -105,9 +106,10 @@ class Stepper {
   [[nodiscard]] double first_contact() const;  // in the last step; its end if there is none
   [[nodiscard]] double first_step() const;
   void derive(const PackedState& values, PackedState& slopes, double time) const;
-  void derive_whole(const PackedState& values, PackedState& slopes, double time) const;
-  // The same with the friction that `values` have, of held joints too.
-  void derive_as_it_is(const PackedState& values, PackedState& slopes, double time) const;
+  void derive_whole(const PackedState& values, PackedState& slopes, double time) const {
+    derive_held(values, slopes, time, held_joints_.held());
+  }
+  void derive_held(const PackedState& values, PackedState& slopes, double time, std::span<const int> held) const;
   [[nodiscard]] State unpack(const PackedState& values) const;
 
   const actuator::Model& model_;

@@ -222,7 +222,7 @@ JointVector Model::hinge_torques(const JointVector& angles) const {
 
 void Model::derivative(const JointVector& angles, const JointVector& rates, std::span<const double> internal,
                        const CoilCurrents& command, const JointVector& applied, JointVector& accelerations,
-                       std::span<double> internal_slopes) const {
+                       std::span<double> internal_slopes, std::span<const int> held) const {
   JointVector torque(joints());
   if (terms_.empty()) {
     stage_torques(angles, rates, command, torque);
@@ -234,12 +234,18 @@ void Model::derivative(const JointVector& angles, const JointVector& rates, std:
   stage_torques(angles, rates, seen, torque);
   add_term_torques(motion, seen, internal.data(), internal_slopes.data(), torque);
   accelerations.noalias() = spec_.chain.accelerations(angles, rates, torque + applied);
-  if (bodies_ > 0) accelerate_bodies(motion, seen, internal.data(), internal_slopes.data(), accelerations);
+  if (bodies_ > 0 || !held.empty()) {
+    mechanics::JointMatrix mass = spec_.chain.mass_matrix(angles);
+    if (!held.empty()) hold_at_rest(held, mass, accelerations);
+    if (bodies_ > 0)
+      accelerate_bodies(motion, seen, internal.data(), internal_slopes.data(), held, mass, accelerations);
+  }
   if (camera_states_ > 0) (void)shown(angles, rates, internal.data(), internal_slopes.data());
 }
 
 void Model::accelerate_bodies(const EffectTerm::Kinematics& motion, const CoilCurrents& strength, const double* states,
-                              double* slopes, JointVector& accelerations) const {
+                              double* slopes, std::span<const int> held, const mechanics::JointMatrix& mass,
+                              JointVector& accelerations) const {
   std::array<EffectTerm::Body, max_bodies> places;
   const std::span bodies = std::span(places).first(static_cast<std::size_t>(bodies_));
   for (EffectTerm::Body& body : bodies) body.coupling = JointVector::Zero(joints());
@@ -250,8 +256,10 @@ void Model::accelerate_bodies(const EffectTerm::Kinematics& motion, const CoilCu
     term.effect->describe_bodies(motion, strength, states + term.first, &bodies[first]);
     first += static_cast<std::size_t>(count);
   }
+  for (EffectTerm::Body& body : bodies)
+    for (const int joint : held) body.coupling[joint] = 0.0;
   std::array<double, max_bodies> moved;
-  move_with_chain(spec_.chain.mass_matrix(motion.angles), bodies, accelerations, std::span(moved).first(bodies.size()));
+  move_with_chain(mass, bodies, accelerations, std::span(moved).first(bodies.size()));
   std::size_t at = 0;
   for (const Term& term : terms_) {
     const int count = term.held ? 0 : term.effect->bodies();

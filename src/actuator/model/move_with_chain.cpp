@@ -55,6 +55,29 @@ void move(JointMatrix& mass, std::span<const EffectTerm::Body> bodies, JointVect
 
 }  // namespace
 
+// With a0 what the chain would do by itself, M a = M a0 + what holds them: of the others, M a' = M a0' + M' a0 of
+// these.
+void hold_at_rest(std::span<const int> joints, JointMatrix& mass, JointVector& accelerations) {
+  const auto n = static_cast<int>(accelerations.size());
+  JointVector carried = JointVector::Zero(n);
+  for (const int held : joints) {
+    for (int j = 0; j < n; ++j) carried[j] += mass(j, held) * accelerations[held];
+    accelerations[held] = 0.0;
+  }
+  for (const int held : joints) {
+    const double own = mass(held, held);
+    mass.row(held).setZero();
+    mass.col(held).setZero();
+    mass(held, held) = own;
+    carried[held] = 0.0;
+  }
+  JointMatrix factors = mass;
+  mechanics::factorize_ldlt(factors, n);
+  mechanics::solve_lower_ldlt(factors, n, carried);
+  mechanics::solve_upper_ldlt(factors, n, carried);
+  accelerations += carried;
+}
+
 void move_with_chain(JointMatrix mass, std::span<const EffectTerm::Body> bodies, JointVector& accelerations,
                      std::span<double> moved) {
   // The paper's finger has two joints, and on it a mount, two loose magnets or both.

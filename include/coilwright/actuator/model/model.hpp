@@ -105,11 +105,12 @@ class Model {
   [[nodiscard]] mechanics::JointVector hinge_torques(const mechanics::JointVector& angles) const;
 
   /// The whole equation of motion: accelerations, rad/s^2, and slopes of the effects' states `internal` (each in its
-  /// unit a second) under the commanded currents (A) and further joint torques `applied` (N m). The spans have
-  /// internal_states() entries.
+  /// unit a second) under the commanded currents (A) and further joint torques `applied` (N m). The spans of states have
+  /// internal_states() entries. `held`: joints at rest that stay so, whatever holds them.
   void derivative(const mechanics::JointVector& angles, const mechanics::JointVector& rates,
                   std::span<const double> internal, const CoilCurrents& command, const mechanics::JointVector& applied,
-                  mechanics::JointVector& accelerations, std::span<double> internal_slopes) const;
+                  mechanics::JointVector& accelerations, std::span<double> internal_slopes,
+                  std::span<const int> held = {}) const;
 
   /// Slopes of the equation of motion about one motion under constant effective currents (A), so that
   /// by_acceleration a = -by_rate w - by_angle t for small changes t of the angles, w of the rates and a of the
@@ -174,10 +175,11 @@ class Model {
                      const CoilCurrents& strength, mechanics::JointVector& torques) const;
   void add_term_torques(const EffectTerm::Kinematics& motion, const CoilCurrents& strength, const double* states,
                         double* slopes, mechanics::JointVector& torques) const;
-  // Moves the effects' bodies with the chain: corrects `accelerations`, which the chain would have without them, and
-  // writes the slopes of the bodies' states.
+  // Moves the effects' bodies with the chain of that mass matrix: corrects `accelerations`, which the chain would have
+  // without them, and writes the slopes of the bodies' states.
   void accelerate_bodies(const EffectTerm::Kinematics& motion, const CoilCurrents& strength, const double* states,
-                         double* slopes, mechanics::JointVector& accelerations) const;
+                         double* slopes, std::span<const int> held, const mechanics::JointMatrix& mass,
+                         mechanics::JointVector& accelerations) const;
   // As shown(); null: no slopes.
   [[nodiscard]] ShownMotion shown(const mechanics::JointVector& angles, const mechanics::JointVector& rates,
                                   const double* states, double* slopes) const;

@@ -105,8 +105,8 @@ class Model {
   [[nodiscard]] mechanics::JointVector hinge_torques(const mechanics::JointVector& angles) const;
 
   /// The whole equation of motion: accelerations, rad/s^2, and slopes of the effects' states `internal` (each in its
-  /// unit a second) under the commanded currents (A) and further joint torques `applied` (N m). The spans of states have
-  /// internal_states() entries. `held`: joints at rest that stay so, whatever holds them.
+  /// unit a second) under the commanded currents (A) and further joint torques `applied` (N m). The spans of states
+  /// have internal_states() entries. `held`: joints at rest that stay so, whatever holds them.
   void derivative(const mechanics::JointVector& angles, const mechanics::JointVector& rates,
                   std::span<const double> internal, const CoilCurrents& command, const mechanics::JointVector& applied,
                   mechanics::JointVector& accelerations, std::span<double> internal_slopes,

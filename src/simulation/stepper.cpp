@@ -242,21 +242,21 @@ void Stepper::step_explicitly() {
 
 // The first inside the last step and before that time.
 std::optional<Stepper::FrictionChange> Stepper::first_friction_change(double before) const {
-  std::optional<FrictionChange> first;
-  if (!model_.holds_joints()) return first;
+  if (!model_.holds_joints()) return std::nullopt;
   const int n = model_.joints();
-  // By how much friction that holds a joint is too large, or how fast one slides against the sign of its friction.
-  const auto excess = [&](double time, int joint) {
-    const PackedState there = time < time_ ? inside(time) : packed();
+  // By how much the friction that holds a joint is too large, or how fast one slides against the sign of its friction.
+  const auto excess = [&](const PackedState& there, double time, int joint) {
     if (held_joints_.holds(joint)) return std::abs(held_joints_.shares(there, derivative_at(time))[joint]) - 1.0;
     return -held_joints_.signs()[joint] * there[static_cast<std::size_t>(n + joint)];
   };
+  const auto whole_at = [&](double time) { return time < time_ ? inside(time) : packed(); };
+  std::optional<FrictionChange> first;
+  PackedState last = whole_at(before);
   for (int j = 0; j < n; ++j) {
-    const double end = first ? first->time : before;
-    if (!(excess(end, j) > 0.0)) continue;
-    first = {.time = crossing(previous_time_, end, [&](double time) { return excess(time, j); }),
-             .joint = j,
-             .slips = held_joints_.holds(j)};
+    if (!(excess(last, before, j) > 0.0)) continue;
+    before = crossing(previous_time_, before, [&](double time) { return excess(inside(time), time, j); });
+    last = whole_at(before);
+    first = {.time = before, .joint = j, .slips = held_joints_.holds(j)};
   }
   return first;
 }

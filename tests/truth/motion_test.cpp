@@ -7,7 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "actuator/paper_finger.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
+#include "coilwright/simulation/equilibrium.hpp"
 #include "coilwright/simulation/performance.hpp"
+#include "coilwright/simulation/transient.hpp"
 #include "degree.hpp"
 #include "truth/torque_curves.hpp"
 
@@ -47,6 +50,36 @@ TEST(Truth, BendsAsFarAndAsFastAsTheCodeUnderTest) {
   const double peak = peak_bending_rate({}, {}, step_to(1.4, 1e-5, 0.05));
   EXPECT_NEAR(peak / degree, 1708.07, 0.01);
   EXPECT_NEAR(theirs.peak_bending_speed / degree, 1708.07, 0.01);
+}
+
+// Both stop, hold and let go at the same instants, in either of their ways to find them; what is left is that of
+// curves.
+TEST(Truth, SticksWhereTheCodeUnderTestSticks) {
+  constexpr double friction = 4e-4;
+  Experiment experiment;
+  for (int i = 0; i <= 1000; ++i) {
+    const double time = 2e-3 * i;
+    experiment.times.push_back(time);
+    experiment.currents.push_back(time < 0.4 ? 1.4 : time < 0.9 ? 0.0 : 0.7 + 0.5 * std::sin(12.0 * time));
+  }
+  const Trajectory ours = simulate({}, {.friction = friction}, experiment);
+
+  auto design = coilwright::actuator::paper_finger();
+  design.effects = {{coilwright::actuator::standard_effects().find("dry_friction"), {friction}}};
+  const coilwright::actuator::Model model = coilwright::actuator::assemble_or_throw(design).model;
+  coilwright::simulation::ModelInput input{.times = experiment.times};
+  for (const double current : experiment.currents) input.currents.push_back(model.all_coils(current));
+  const auto rest = coilwright::simulation::find_equilibrium(model, input.currents.front(), Eigen::Vector2d(0.5, 0.4));
+  const auto theirs = coilwright::simulation::simulate(
+      model, input, {.angles = rest.value(), .rates = Eigen::Vector2d::Zero()}, {.relative = 1e-9});
+  int held = 0;
+  for (std::size_t i = 0; i < ours.size(); ++i)
+    for (const int j : {0, 1}) {
+      EXPECT_NEAR(ours[i][j] / degree, theirs[i].angles[j] / degree, 2e-4) << experiment.times[i];
+      held += theirs[i].rates[j] == 0.0 ? 1 : 0;
+    }
+  EXPECT_GT(held, 400);
+  EXPECT_LT(held, 1600);
 }
 
 nlohmann::json reference(const std::string& name) {

@@ -194,6 +194,17 @@ double Stepper::first_step() const {
 }
 
 void Stepper::step() {
+  is_given_ = false;
+  take_step();
+}
+
+void Stepper::step_to(double end) {
+  is_given_ = true;
+  next_step_ = end - time_;
+  take_step();
+}
+
+void Stepper::take_step() {
   if (friction_change_) {
     const FrictionChange change = *friction_change_;
     PackedState whole = packed();
@@ -206,7 +217,7 @@ void Stepper::step() {
     derive(values_, slopes_, time_);
   }
   if (drive_.come_to_rest(values_)) derive(values_, slopes_, time_);
-  next_step_ = drive_.longest_step(values_, slopes_, next_step_);
+  if (!is_given_) next_step_ = drive_.longest_step(values_, slopes_, next_step_);
   drive_.forget_what_is_gone(time_);
   previous_values_ = values_;
   previous_slopes_ = slopes_;
@@ -218,8 +229,11 @@ void Stepper::step() {
 }
 
 void Stepper::step_explicitly() {
-  // A change in the first or last thousandth of a step is as good as at its end.
+  // A change of faces in the first or last thousandth of a step is as good as at its end. One of friction is not: a
+  // joint that stops is put at rest, and its rate there has to be zero, or two motions that hardly differ would come
+  // out apart.
   constexpr double least = 1e-3;
+  constexpr double least_of_friction = 1e-9;  // not nothing: friction of the wrong sign would keep it there
   advance();
   const double whole = time_ - previous_time_;
   double end = first_contact();
@@ -227,16 +241,25 @@ void Stepper::step_explicitly() {
   if (!contact_changed_) end = time_;
   friction_change_ = first_friction_change(end);
   if (friction_change_) {
-    // Not at its very start: friction of the wrong sign would keep it there.
-    end = std::max(friction_change_->time, previous_time_ + least * whole);
+    end = std::max(friction_change_->time, previous_time_ + least_of_friction * whole);
     contact_changed_ = false;
   }
-  if (end >= previous_time_ + (1.0 - least) * whole) return;
+  if (end >= time_) return;
   const double next = next_step_;
-  next_step_ = end - previous_time_;
-  time_ = previous_time_;
-  advance();
+  const auto advance_by = [&](double step) {
+    next_step_ = step;
+    time_ = previous_time_;
+    advance();
+  };
+  advance_by(end - previous_time_);
   if (time_ < end - least * (end - previous_time_)) friction_change_.reset();  // it took a shorter step
+  if (friction_change_ && !friction_change_->slips) {
+    // Where the dense output of the whole step has a rate of zero the step itself has what sets both apart.
+    const int rate = model_.joints() + friction_change_->joint;
+    const double late = packed()[static_cast<std::size_t>(rate)] /
+                        (slopes_[static_cast<std::size_t>(rate)] + drive_.fading_slope(rate, 1, time_));
+    if (std::abs(late) < least * whole && late < time_ - previous_time_) advance_by(time_ - previous_time_ - late);
+  }
   if (friction_change_) next_step_ = std::max(next_step_, next);
 }
 
@@ -347,7 +370,7 @@ bool Stepper::step_stiffly(double frequency) {
     if (!(step * frequency > stiff_step)) return false;
     take(step);
     const double error = stiff_error(step);
-    accepted = error <= 1.0;
+    accepted = is_given_ || error <= 1.0;
     const double change = 0.9 * std::pow(error, -1.0 / RosenbrockStep::method.order);
     next_step_ = step * (std::isfinite(error) ? std::clamp(change, 0.2, 5.0) : 0.2);
     if (!accepted) step = next_step_;
@@ -386,6 +409,11 @@ void Stepper::advance() {
   const auto system = [this](const PackedState& values, PackedState& slopes, double time) {
     derive(values, slopes, time);
   };
+  if (is_given_) {
+    controlled_.stepper().do_step(system, previous_values_, previous_slopes_, time_, values_, slopes_, next_step_);
+    time_ += next_step_;
+    return;
+  }
   while (controlled_.try_step(system, previous_values_, previous_slopes_, time_, values_, slopes_, next_step_) ==
          odeint::fail) {
   }

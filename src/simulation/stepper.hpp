@@ -53,6 +53,8 @@ class Stepper {
   /// joint under dry friction stops or slips, so that no jump of the torques lies inside. A motion that has become
   /// infinite is accepted as it is: look at now().
   void step();
+  /// The same, but to `end` (s, after time()) and whatever its error, unless an event comes before.
+  void step_to(double end);
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] double previous_time() const { return previous_time_; }
   /// State anywhere in the last step: the method's own continuous extension, of fourth order.
@@ -89,6 +91,7 @@ class Stepper {
     bool slips{};
   };
 
+  void take_step();
   void step_explicitly();
   [[nodiscard]] std::optional<FrictionChange> first_friction_change(double before) const;
   void change_friction(const PackedState& whole, int slipping);
@@ -129,6 +132,7 @@ class Stepper {
   HeldJoints held_joints_;
   std::optional<FrictionChange> friction_change_;  // at the end of the last step
   RosenbrockStep rosenbrock_;
+  bool is_given_ = false;  // the length of the next step, whatever its error
   bool last_was_stiff_ = false;
   bool contact_changed_ = false;  // at the end of the last step
 };

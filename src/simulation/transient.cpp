@@ -106,6 +106,30 @@ class RestWatch {
   PackedState from_{};
 };
 
+// Takes the steps of one part of a transient, those that are given as far as they go, and keeps their ends.
+class Steps {
+ public:
+  Steps(const Accuracy& accuracy, std::size_t part, double start) : start_(start) {
+    if (accuracy.steps != nullptr && part < accuracy.steps->size()) given_ = (*accuracy.steps)[part];
+    if (accuracy.taken != nullptr) taken_ = &accuracy.taken->emplace_back();
+  }
+
+  void take(Stepper& stepper) {
+    constexpr double nothing = 1e-12;  // s
+    while (!given_.empty() && start_ + given_.front() <= stepper.time() + nothing) given_ = given_.subspan(1);
+    if (given_.empty())
+      stepper.step();
+    else
+      stepper.step_to(start_ + given_.front());
+    if (taken_ != nullptr) taken_->push_back(stepper.time() - start_);
+  }
+
+ private:
+  double start_;  // s
+  std::span<const double> given_{};
+  std::vector<double>* taken_ = nullptr;
+};
+
 // A finger whose joint turns by half a turn has left its torque curves behind; a rig without magnetics may turn freely.
 void check_motion(const actuator::Model& model, const PackedState& state, double time) {
   const auto joints = static_cast<std::size_t>(model.joints());
@@ -149,7 +173,9 @@ std::vector<State> simulate_at(const actuator::Model& model, const ModelInput& i
   State now = with_internal_states(model, start, input.currents.front());
   std::size_t sample = 0;
   std::size_t next = 0;
+  std::size_t part = 0;
   double all_steps = 0.0;
+  if (accuracy.taken != nullptr) accuracy.taken->clear();
   for (; next < times.size() && times[next] <= input.times.front(); ++next) out.push_back(now);
   while (next < times.size()) {
     // One run of the integrator covers all samples up to the next change or corner of the input.
@@ -160,10 +186,11 @@ std::vector<State> simulate_at(const actuator::Model& model, const ModelInput& i
     RestWatch rest(model, stepper, accuracy.relative);
     const bool may_rest = accuracy.ends_at_rest && !input.goes_straight(sample) && !model.has_slow_states();
     const double limit = std::min(all_steps + step_limit(model, end - input.times[sample]), accuracy.most_steps);
+    Steps steps(accuracy, part++, input.times[sample]);
     const auto state_at = [&](double time) {
       while (stepper.time() < time) {
         if (may_rest && rest.is_over(stepper)) return stepper.now();
-        stepper.step();
+        steps.take(stepper);
         check_motion(model, stepper.packed(), stepper.time());
         if (accuracy.progress) accuracy.progress(stepper.time());
         if (++all_steps > limit)

@@ -150,6 +150,61 @@ TEST(LoadFriction, HoldsNothingWithoutADrive) {
   EXPECT_EQ(after(model_of({}, "load_friction", {0.2}), 0.0, 0.0, 0.5).rates[0], 0.0);
 }
 
+// A torque as rough as a measured one, along a curve: 1 s of 1000 samples.
+ModelInput rough(double size) {
+  ModelInput out;
+  std::mt19937_64 random(20261130);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  for (int i = 0; i <= 1000; ++i) {
+    out.times.push_back(1e-3 * i);
+    out.currents.emplace_back(0);
+    out.joint_torques.push_back(JointVector::Constant(1, size * (std::sin(0.02 * i) + 0.3 * any(random))));
+  }
+  out.straight.assign(out.times.size(), 1);
+  out.straight.back() = 0;
+  out.passed = out.straight;
+  out.passed.front() = 0;
+  return out;
+}
+
+// The steps of a motion give that motion again, but for the rounding of their ends.
+TEST(GivenSteps, RepeatAMotion) {
+  const Model model = model_of({.stiffness = 5e-3}, "dry_friction", {friction});
+  const ModelInput input = rough(3.0 * friction);
+  const State start{.angles = JointVector::Constant(1, 0.1), .rates = JointVector::Constant(1, -2.0)};
+  TransientSteps steps;
+  const std::vector<State> motion = simulate(model, input, start, {.relative = 1e-6, .taken = &steps});
+  const std::vector<State> again = simulate(model, input, start, {.relative = 1e-6, .steps = &steps});
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    EXPECT_NEAR(motion[i].angles[0], again[i].angles[0], 1e-13) << i;
+    EXPECT_NEAR(motion[i].rates[0], again[i].rates[0], 1e-11) << i;
+  }
+}
+
+// x(t) of a damped rotor moves by (1 - exp(-b t / J)) J / b with its first rate, whatever drives it: with the same
+// steps the difference of two motions is that to a thousandth, where the errors of their own are as large as it is.
+TEST(GivenSteps, LeaveOnlyWhatSetsTwoMotionsApart) {
+  constexpr double change = 1e-5;
+  constexpr double damping = 2e-5;
+  const mechanics::Link link{.length = 0.1, .com_along = 0.0, .com_offset = 0.0, .mass = 1.0, .inertia = inertia};
+  const Model model({.chain = mechanics::PlanarChain({&link, 1}, 0.0),
+                     .hinges = {{.damping = damping}},
+                     .magnetics = {},
+                     .coils = 0,
+                     .tip = {}});
+  const ModelInput input = rough(3.0 * friction);
+  TransientSteps steps;
+  const auto motion = [&](double rate, const Accuracy& accuracy) {
+    return simulate(model, input, {.angles = JointVector::Zero(1), .rates = JointVector::Constant(1, rate)}, accuracy);
+  };
+  const std::vector<State> base = motion(0.3, {.relative = 1e-6, .taken = &steps});
+  const std::vector<State> moved = motion(0.3 + change, {.relative = 1e-6, .steps = &steps});
+  for (std::size_t i = 0; i < base.size(); ++i) {
+    const double expected = (1.0 - std::exp(-damping / inertia * input.times[i])) * inertia / damping;
+    EXPECT_NEAR((moved[i].angles[0] - base[i].angles[0]) / change, expected, 1e-3 * inertia / damping) << i;
+  }
+}
+
 // Of four links in random poses under random torques: held joints stay at rest by no more than their friction, those
 // that are let go set out the way that friction opposes.
 void expect_held_by_friction(std::vector<actuator::Effect> effects) {

@@ -11,6 +11,9 @@
 
 namespace coilwright::simulation {
 
+/// Ends of the steps of a transient, in each of its parts between two changes of the input, s since that part began.
+using TransientSteps = std::vector<std::vector<double>>;
+
 /// How exact a transient is: relative error of a step in every angle, rate and state of an effect, with a floor of 1e-9
 /// rad, rad/s, or whatever SI unit the effect's state has (A, K, N m, or none).
 struct Accuracy {
@@ -22,6 +25,11 @@ struct Accuracy {
   /// is what moves by less than twice the error of a step in a quarter of a second; of effects with slow states
   /// (Model::has_slow_states) nothing is.
   bool ends_at_rest = false;
+  /// Steps to take, whatever their error: those of a motion nearby, so that what sets both apart is not the difference
+  /// of their errors. Where they do not suffice the error decides again. Null: it decides alone.
+  const TransientSteps* steps = nullptr;
+  /// Where the ends of the steps are kept; null: nowhere.
+  TransientSteps* taken = nullptr;
   /// Told after each step to which time the motion is known, s; on the caller's thread. May be empty.
   std::function<void(double time)> progress{};
 };

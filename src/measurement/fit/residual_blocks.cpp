@@ -121,9 +121,11 @@ std::optional<ResidualBlocks::Models> ResidualBlocks::models_at(const Eigen::Vec
   }
 }
 
-std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_run(const Models& models, std::size_t r) const {
+std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_run(const Models& models, std::size_t r,
+                                                                      const RunValues* nearby) const {
   const Model& model = models.on(rig_of_run_[r]);
-  std::optional<RunValues> out = request_.runs[r].is_motion() ? evaluate_windows(model, r) : evaluate_bench(model, r);
+  std::optional<RunValues> out =
+      request_.runs[r].is_motion() ? evaluate_windows(model, r, nearby) : evaluate_bench(model, r);
   if (out && !std::ranges::all_of(out->residuals, [](const Eigen::VectorXd& one) { return one.allFinite(); }))
     return std::nullopt;
   return out;
@@ -140,7 +142,8 @@ std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_bench(const Mo
 
 // Window after window: where initial states are fitted, the internal states of effects (heat, creep) continue from one
 // to the next; angles and rates have an initial state of their own in each.
-std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_windows(const Model& model, std::size_t r) const {
+std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_windows(const Model& model, std::size_t r,
+                                                                          const RunValues* nearby) const {
   const replay::PreparedRun& prepared = request_.runs[r];
   RunValues out{.predictions = Eigen::VectorXd(prepared.values())};
   InternalStates internal;
@@ -148,7 +151,8 @@ std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_windows(const 
     const ResidualBlock& block = blocks_[b];
     const replay::Window& window = prepared.windows[block.window];
     out.internal.push_back(internal);
-    auto motion = replay::simulate_window(model, window, block.local_values(), internal);
+    auto motion = replay::simulate_window(model, window, block.local_values(), internal,
+                                          nearby != nullptr ? &nearby->trajectories[b - first_block_[r]] : nullptr);
     if (!motion) return std::nullopt;
     const Eigen::VectorXd predicted = replay::observed_values(model, prepared, window, *motion, block.local_values());
     if (block.numbers.has_initial_state()) internal = motion->at(prepared.run->times[window.range.last - 1]).internal;

@@ -76,9 +76,11 @@ class ResidualBlocks {
   void add_blocks(std::size_t run);
   [[nodiscard]] bool is_here(const Eigen::VectorXd& parameters) const;
   void move_to(const Eigen::VectorXd& parameters);
-  [[nodiscard]] std::optional<RunValues> evaluate_run(const Models& models, std::size_t run) const;
+  [[nodiscard]] std::optional<RunValues> evaluate_run(const Models& models, std::size_t run,
+                                                      const RunValues* nearby = nullptr) const;
   [[nodiscard]] std::optional<RunValues> evaluate_bench(const actuator::Model& model, std::size_t run) const;
-  [[nodiscard]] std::optional<RunValues> evaluate_windows(const actuator::Model& model, std::size_t run) const;
+  [[nodiscard]] std::optional<RunValues> evaluate_windows(const actuator::Model& model, std::size_t run,
+                                                          const RunValues* nearby) const;
   [[nodiscard]] bool takes_known_column(Eigen::Index parameter) const;
   [[nodiscard]] std::optional<std::vector<Displaced>> displaced_models(const Eigen::VectorXd& parameters) const;
   void add_jacobian(const Eigen::VectorXd& parameters, const std::vector<Displaced>& displaced,

@@ -18,8 +18,9 @@ namespace {
 using actuator::Model;
 using replay::Trajectory;
 
-// Step of a forward difference as a fraction of a typical change: the truncation error is a ten-thousandth, and the
-// integrator's error is smaller.
+// Step of a forward difference as a fraction of a typical change: the truncation error is a ten-thousandth. Displaced
+// models take the steps of the one that is not: under a measured torque, which is rough, their own would leave more in
+// a difference than is in it.
 constexpr double parameter_step = 1e-4;
 // The step in an initial state exceeds the integrator's error and stays in the linear range: it is about the noise.
 constexpr double initial_state_step = 1e-5;
@@ -84,12 +85,13 @@ void ResidualBlocks::add_jacobian(const Eigen::VectorXd& parameters, const std::
     const Displaced& to = displaced[task / runs];
     const std::size_t r = task % runs;
     double step = to.step;
-    auto there = evaluate_run(to.models, r);
+    const RunValues* here = &here_->runs[r];
+    auto there = evaluate_run(to.models, r, here);
     if (!there) {
       step = -step;
       Eigen::VectorXd at = parameters;
       at[to.parameter] += step;
-      if (const std::optional<Models> other = models_at(at)) there = evaluate_run(*other, r);
+      if (const std::optional<Models> other = models_at(at)) there = evaluate_run(*other, r, here);
     }
     if (!there) return;
     for (std::size_t b = 0; b < there->residuals.size(); ++b) {
@@ -147,7 +149,8 @@ bool ResidualBlocks::add_local_jacobian(const Models& models, const std::vector<
       const replay::LocalValues there{.numbers = &block.numbers, .values = displaced};
       std::optional<Trajectory> moved;
       if (block.numbers.moves(i)) {
-        moved = replay::simulate_window(model, window, there, runs[block.run].internal[in_run]);
+        moved = replay::simulate_window(model, window, there, runs[block.run].internal[in_run],
+                                        &runs[block.run].trajectories[in_run]);
         if (!moved) {
           simulated[b] = 0;
           return;

@@ -165,12 +165,17 @@ Eigen::VectorXd coil_temperatures(const thermal::Network& network, const data::R
   return out;
 }
 
-std::optional<Trajectory> simulated(const Model& model, const ModelInput& input, const State& start) {
+std::optional<Trajectory> simulated(const Model& model, const ModelInput& input, const State& start,
+                                    const Trajectory* nearby = nullptr) {
   Trajectory out{.times = input.times};
   try {
     const double most_steps = most_steps_per_window + most_steps_per_sample * static_cast<double>(input.times.size());
     out.states = simulation::simulate(model, input, start,
-                                      {.relative = relative_accuracy, .most_steps = most_steps, .ends_at_rest = true});
+                                      {.relative = relative_accuracy,
+                                       .most_steps = most_steps,
+                                       .ends_at_rest = true,
+                                       .steps = nearby != nullptr ? &nearby->steps : nullptr,
+                                       .taken = nearby == nullptr ? &out.steps : nullptr});
   } catch (const std::runtime_error&) {
     return std::nullopt;
   }
@@ -213,7 +218,7 @@ State Trajectory::at(double time) const {
 }
 
 std::optional<Trajectory> simulate_window(const Model& model, const Window& window, LocalValues local,
-                                          const actuator::InternalStates& internal) {
+                                          const actuator::InternalStates& internal, const Trajectory* nearby) {
   const bool as_planned = window.edges.empty() && window.bend.times.empty() && window.errors.empty();
   const ModelInput driven = as_planned ? ModelInput{}
                                        : as_driven(window, {.edges = local.numbers->edge_numbers(local.values),
@@ -221,7 +226,7 @@ std::optional<Trajectory> simulate_window(const Model& model, const Window& wind
                                                             .errors = local.numbers->input_errors(local.values)});
   const ModelInput& input = as_planned ? window.input : driven;
   const std::optional<State> start = start_under(model, input, local, internal);
-  return start ? simulated(model, input, *start) : std::nullopt;
+  return start ? simulated(model, input, *start, nearby) : std::nullopt;
 }
 
 std::optional<State> start_of_window(const Model& model, const Window& window, LocalValues local,

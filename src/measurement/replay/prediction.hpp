@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "coilwright/simulation/transient.hpp"
 #include "measurement/replay/local_numbers.hpp"
 #include "measurement/replay/prepared_run.hpp"
 
@@ -14,6 +15,7 @@ namespace coilwright::measurement::replay {
 struct Trajectory {
   std::vector<double> times{};              ///< s, of the rows of the input
   std::vector<simulation::State> states{};  ///< one per time
+  simulation::TransientSteps steps{};       ///< of the integrator
   /// The state at a time, s: cubic between the times, constant beyond them; internal states are those of the time
   /// before.
   [[nodiscard]] simulation::State at(double time) const;
@@ -31,9 +33,12 @@ struct LocalValues {
 [[nodiscard]] std::optional<simulation::State> start_of_window(const actuator::Model& model, const Window& window,
                                                                LocalValues local,
                                                                const actuator::InternalStates& internal);
-/// Simulates a window from there. Nothing if the motion cannot be simulated, or if there is no equilibrium.
+/// Simulates a window from there. Nothing if the motion cannot be simulated, or if there is no equilibrium. `nearby`:
+/// the same window of a model, or with local numbers, that hardly differ; both motions then have the same steps, and
+/// their difference has no errors of them.
 [[nodiscard]] std::optional<Trajectory> simulate_window(const actuator::Model& model, const Window& window,
-                                                        LocalValues local, const actuator::InternalStates& internal);
+                                                        LocalValues local, const actuator::InternalStates& internal,
+                                                        const Trajectory* nearby = nullptr);
 
 /// What the instruments show of it: channel after channel, SI: (channels * samples). Delay, shutter, scale and offset
 /// of the camera, the clocks and the hum are in it.

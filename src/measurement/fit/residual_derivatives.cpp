@@ -22,6 +22,9 @@ using replay::Trajectory;
 // models take the steps of the one that is not: under a measured torque, which is rough, their own would leave more in
 // a difference than is in it.
 constexpr double parameter_step = 1e-4;
+// Of the noise: what such a step moves by less is rounding, and a whole typical change would move it by a thousandth at
+// most. The column is zero then, and the number known to be idle.
+constexpr double nothing = 1e-7;
 // The step in an initial state exceeds the integrator's error and stays in the linear range: it is about the noise.
 constexpr double initial_state_step = 1e-5;
 // The same for a number that has a tolerance, as a fraction of it.
@@ -96,7 +99,8 @@ void ResidualBlocks::add_jacobian(const Eigen::VectorXd& parameters, const std::
     if (!there) return;
     for (std::size_t b = 0; b < there->residuals.size(); ++b) {
       ResidualValues::Block& block = values.blocks[first_block_[r] + b];
-      block.jacobian.col(to.parameter) = (there->residuals[b] - block.residuals) / step;
+      const Eigen::VectorXd moved = there->residuals[b] - block.residuals;
+      if (moved.lpNorm<Eigen::Infinity>() > nothing) block.jacobian.col(to.parameter) = moved / step;
     }
   });
 }

@@ -73,7 +73,8 @@ double Stepper::ErrorChecker::error(algebra_type& /*algebra*/, const PackedState
 
 Stepper::Stepper(const actuator::Model& model, const Tolerance& tolerance)
     : model_(model),
-      controlled_(ErrorChecker(tolerance, model.joints())),
+      error_checker_(tolerance, model.joints()),
+      controlled_(error_checker_),
       drive_(model),
       tolerance_(tolerance),
       squared_contact_frequencies_(model.chain().joint_mobility()),
@@ -410,9 +411,18 @@ void Stepper::advance() {
     derive(values, slopes, time);
   };
   if (is_given_) {
-    controlled_.stepper().do_step(system, previous_values_, previous_slopes_, time_, values_, slopes_, next_step_);
-    time_ += next_step_;
-    return;
+    // Of what a step may have: that of a motion nearby had 1 at most. Where this one meets what that one met at another
+    // time, a stop, its errors decide.
+    constexpr double most = 10.0;
+    PackedState errors(values_.size());
+    controlled_.stepper().do_step(system, previous_values_, previous_slopes_, time_, values_, slopes_, next_step_,
+                                  errors);
+    Pair::algebra_type algebra;
+    if (error_checker_.error(algebra, previous_values_, previous_slopes_, errors, next_step_) <= most) {
+      time_ += next_step_;
+      return;
+    }
+    is_given_ = false;
   }
   while (controlled_.try_step(system, previous_values_, previous_slopes_, time_, values_, slopes_, next_step_) ==
          odeint::fail) {

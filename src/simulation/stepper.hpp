@@ -53,7 +53,8 @@ class Stepper {
   /// joint under dry friction stops or slips, so that no jump of the torques lies inside. A motion that has become
   /// infinite is accepted as it is: look at now().
   void step();
-  /// The same, but to `end` (s, after time()) and whatever its error, unless an event comes before.
+  /// The same, but to `end` (s, after time()) with ten times the error that it may have, unless an event comes before;
+  /// shorter where that does not suffice.
   void step_to(double end);
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] double previous_time() const { return previous_time_; }
@@ -116,6 +117,7 @@ class Stepper {
   [[nodiscard]] State unpack(const PackedState& values) const;
 
   const actuator::Model& model_;
+  ErrorChecker error_checker_;
   Controlled controlled_;
   Input input_;
   std::optional<algebra::SmoothCurve> curve_;
@@ -132,7 +134,7 @@ class Stepper {
   HeldJoints held_joints_;
   std::optional<FrictionChange> friction_change_;  // at the end of the last step
   RosenbrockStep rosenbrock_;
-  bool is_given_ = false;  // the length of the next step, whatever its error
+  bool is_given_ = false;  // the length of the next step
   bool last_was_stiff_ = false;
   bool contact_changed_ = false;  // at the end of the last step
 };

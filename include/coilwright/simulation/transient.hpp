@@ -25,8 +25,8 @@ struct Accuracy {
   /// is what moves by less than twice the error of a step in a quarter of a second; of effects with slow states
   /// (Model::has_slow_states) nothing is.
   bool ends_at_rest = false;
-  /// Steps to take, whatever their error: those of a motion nearby, so that what sets both apart is not the difference
-  /// of their errors. Where they do not suffice the error decides again. Null: it decides alone.
+  /// Steps to take: those of a motion nearby, so that what sets both apart is not the difference of their errors. Where
+  /// they do not suffice, or have ten times the error of a step, that decides again. Null: it decides alone.
   const TransientSteps* steps = nullptr;
   /// Where the ends of the steps are kept; null: nowhere.
   TransientSteps* taken = nullptr;

@@ -22,8 +22,8 @@ using replay::Trajectory;
 // models take the steps of the one that is not: under a measured torque, which is rough, their own would leave more in
 // a difference than is in it.
 constexpr double parameter_step = 1e-4;
-// Of the noise: what such a step moves by less is rounding, and a whole typical change would move it by a thousandth at
-// most. The column is zero then, and the number known to be idle.
+// Of the noise: what a hundredth of a tolerance moves by less is rounding. The column is zero then, and the number
+// known to be idle.
 constexpr double nothing = 1e-7;
 // The step in an initial state exceeds the integrator's error and stays in the linear range: it is about the noise.
 constexpr double initial_state_step = 1e-5;
@@ -100,7 +100,9 @@ void ResidualBlocks::add_jacobian(const Eigen::VectorXd& parameters, const std::
     for (std::size_t b = 0; b < there->residuals.size(); ++b) {
       ResidualValues::Block& block = values.blocks[first_block_[r] + b];
       const Eigen::VectorXd moved = there->residuals[b] - block.residuals;
-      if (moved.lpNorm<Eigen::Infinity>() > nothing) block.jacobian.col(to.parameter) = moved / step;
+      const bool may_be_idle = request_.hypothesis->parameters()[static_cast<std::size_t>(to.parameter)].has_prior();
+      if (may_be_idle && moved.lpNorm<Eigen::Infinity>() <= nothing) continue;
+      block.jacobian.col(to.parameter) = moved / step;
     }
   });
 }

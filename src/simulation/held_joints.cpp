@@ -31,7 +31,7 @@ void HeldJoints::set(const JointVector& shares, PackedState& values) const {
 }
 
 HeldJoints::Pull HeldJoints::pull_on(const std::vector<int>& joints, PackedState values,
-                                     const Derivative& derive) const {
+                                     const PackedDerivative& derive) const {
   // rad/s^2: a friction without any torque, of a drive that has none, counts as one that could just do this.
   constexpr double weakest = 1e-9;
   const auto count = static_cast<Eigen::Index>(joints.size());
@@ -57,40 +57,38 @@ HeldJoints::Pull HeldJoints::pull_on(const std::vector<int>& joints, PackedState
   return out;
 }
 
-void HeldJoints::decide(const PackedState& values, int slipping, const Derivative& derive) {
-  std::vector<int> resting;
-  for (int j = 0; j < model_.joints(); ++j) {
-    const double rate = values[static_cast<std::size_t>(model_.joints() + j)];
-    signs_[j] = rate > 0.0 ? 1.0 : rate < 0.0 ? -1.0 : 0.0;
-    if (rate == 0.0) resting.push_back(j);
-  }
+void HeldJoints::decide(const PackedState& values, int slipping, const PackedDerivative& derive) {
+  const int n = model_.joints();
+  signs_ = Eigen::Map<const Eigen::VectorXd>(values.data() + n, n).cwiseSign();
   held_.clear();
-  if (!resting.empty()) {
-    const Pull pull = pull_on(resting, values, derive);
-    // Gauss and Seidel's method for the shares, each within its bounds: it converges, since M is positive definite.
-    constexpr int most = 1000;
-    JointVector shares = JointVector::Zero(pull.free.size());
-    double moved = 1.0;
-    for (int sweep = 0; sweep < most && moved > 1e-14; ++sweep) {
-      moved = 0.0;
-      for (Eigen::Index k = 0; k < shares.size(); ++k) {
-        const double left = pull.free[k] + pull.by_share.row(k).dot(shares);
-        const double share = std::clamp(shares[k] - left / pull.by_share(k, k), -1.0, 1.0);
-        moved = std::max(moved, std::abs(share - shares[k]));
-        shares[k] = share;
-      }
-    }
+  std::vector<int> resting;
+  for (int j = 0; j < n; ++j)
+    if (signs_[j] == 0.0) resting.push_back(j);
+  if (resting.empty()) return;
+  const Pull pull = pull_on(resting, values, derive);
+  // Gauss and Seidel's method for the shares, each within its bounds: it converges, since M is positive definite.
+  constexpr int most = 1000;
+  JointVector shares = JointVector::Zero(pull.free.size());
+  double moved = 1.0;
+  for (int sweep = 0; sweep < most && moved > 1e-14; ++sweep) {
+    moved = 0.0;
     for (Eigen::Index k = 0; k < shares.size(); ++k) {
-      const int joint = resting[static_cast<std::size_t>(k)];
-      if (std::abs(shares[k]) < 1.0 && joint != slipping)
-        held_.push_back(joint);
-      else
-        signs_[joint] = std::copysign(1.0, shares[k]);
+      const double left = pull.free[k] + pull.by_share.row(k).dot(shares);
+      const double share = std::clamp(shares[k] - left / pull.by_share(k, k), -1.0, 1.0);
+      moved = std::max(moved, std::abs(share - shares[k]));
+      shares[k] = share;
     }
+  }
+  for (Eigen::Index k = 0; k < shares.size(); ++k) {
+    const int joint = resting[static_cast<std::size_t>(k)];
+    if (std::abs(shares[k]) < 1.0 && joint != slipping)
+      held_.push_back(joint);
+    else
+      signs_[joint] = std::copysign(1.0, shares[k]);
   }
 }
 
-JointVector HeldJoints::shares(PackedState values, const Derivative& derive) const {
+JointVector HeldJoints::shares(PackedState values, const PackedDerivative& derive) const {
   for (const int joint : held_) values[static_cast<std::size_t>(model_.joints() + joint)] = 0.0;
   const Pull pull = pull_on(held_, std::move(values), derive);
   const JointVector found = pull.by_share.partialPivLu().solve(-pull.free);

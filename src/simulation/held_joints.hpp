@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -14,9 +13,6 @@ namespace coilwright::simulation {
 /// whatever its friction has to be for that.
 class HeldJoints {
  public:
-  /// Slopes of a whole state with friction as it stands in it, and nothing else that holds a joint.
-  using Derivative = std::function<void(const PackedState& values, PackedState& slopes)>;
-
   explicit HeldJoints(const actuator::Model& model);
 
   /// In ascending order.
@@ -25,21 +21,22 @@ class HeldJoints {
   /// Of friction on each joint, as EffectTerm::holds_joints has it: the sign of its sliding, 0 where it is held.
   [[nodiscard]] const mechanics::JointVector& signs() const { return signs_; }
 
-  /// Decides anew. A joint whose rate is exactly zero is held where
-  /// friction suffices, and else begins to slide as it is pulled. There is one answer: the accelerations a of least
-  /// a^T M a / 2 - a^T q + sum of h |a| over the joints at rest, h what each can hold (Gauss's principle). `slipping`:
-  /// a joint that is known to be pulled too hard, if by no more than rounding; -1: none.
-  void decide(const PackedState& values, int slipping, const Derivative& derive);
+  /// Decides anew. A joint whose rate is exactly zero is held where friction suffices, and else begins to slide as it
+  /// is pulled. There is one answer: the accelerations a of least a^T M a / 2 - a^T q + sum of h |a| over the joints at
+  /// rest, h what each can hold (Gauss's principle). `slipping`: a joint that is known to be pulled too hard, if by no
+  /// more than rounding; -1: none. `derive`: with friction as it stands in a state, and nothing else that holds a
+  /// joint.
+  void decide(const PackedState& values, int slipping, const PackedDerivative& derive);
 
   /// Of friction on all joints at `values`: signs(), and of a held joint the share of its largest friction that holds
   /// it, beyond -1 to 1 where that does not suffice.
-  [[nodiscard]] mechanics::JointVector shares(PackedState values, const Derivative& derive) const;
+  [[nodiscard]] mechanics::JointVector shares(PackedState values, const PackedDerivative& derive) const;
   /// Writes shares of friction to its states.
   void set(const mechanics::JointVector& shares, PackedState& values) const;
 
  private:
   struct Pull;
-  [[nodiscard]] Pull pull_on(const std::vector<int>& joints, PackedState values, const Derivative& derive) const;
+  [[nodiscard]] Pull pull_on(const std::vector<int>& joints, PackedState values, const PackedDerivative& derive) const;
 
   const actuator::Model& model_;
   std::vector<int> held_;

@@ -29,7 +29,7 @@ void KnownDrive::forget() {
 }
 
 void KnownDrive::hold(double time, Eigen::VectorXd end, PackedState& values, PackedState& slopes,
-                      const Derivative& derive) {
+                      const PackedDerivative& derive) {
   start_time_ = time;
   if (!(lag_ > 0.0)) {
     end_ = std::move(end);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <optional>
 
 #include "coilwright/actuator/model/model.hpp"
@@ -15,9 +14,6 @@ namespace coilwright::simulation {
 /// need not follow it: `values` and `slopes` are what is left to integrate, with the drive's states among them.
 class KnownDrive {
  public:
-  /// Slopes of a whole state at the time of the start.
-  using Derivative = std::function<void(const PackedState& values, PackedState& slopes)>;
-
   explicit KnownDrive(const actuator::Model& model);
 
   /// From `time` on under a held input, at whose end the drive's states are `end`. A lag is known in closed form while
@@ -25,8 +21,8 @@ class KnownDrive {
   /// that hardly anything else is seen in. What is integrated is z = x - p, z' = f(z + p) - p', which is exact whatever
   /// a is. That of the lag's states, x less where they end, makes z constant there. The rest of a is chosen such that z
   /// sets out like a motion that has no transient, with the slopes of the place x - a: by iteration of
-  /// a = T (f(x - a) - f(x)), which converges where T is short against all else.
-  void hold(double time, Eigen::VectorXd end, PackedState& values, PackedState& slopes, const Derivative& derive);
+  /// a = T (f(x - a) - f(x)), which converges where T is short against all else; `derive` is at the time of the start.
+  void hold(double time, Eigen::VectorXd end, PackedState& values, PackedState& slopes, const PackedDerivative& derive);
   /// Along an input that follows a curve; a lag's states tend to `ends` (algebra::LaggedCurve).
   void follow(algebra::SmoothCurve ends, const PackedState& values, PackedState& slopes);
   /// Whether follow() saves steps: a slower lag is as smooth as the motion.

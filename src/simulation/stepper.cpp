@@ -119,7 +119,7 @@ algebra::SmoothCurve Stepper::drive_ends() const {
   return algebra::SmoothCurve(times, ends, static_cast<std::size_t>(states));
 }
 
-HeldJoints::Derivative Stepper::derivative_at(double time) const {
+PackedDerivative Stepper::derivative_at(double time) const {
   return [this, time](const PackedState& values, PackedState& slopes) { derive_held(values, slopes, time, {}); };
 }
 

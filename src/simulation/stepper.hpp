@@ -98,7 +98,7 @@ class Stepper {
   void change_friction(const PackedState& whole, int slipping);
   [[nodiscard]] PackedState inside(double time) const;
   [[nodiscard]] PackedState with_held_joints(PackedState whole, double time) const;
-  [[nodiscard]] HeldJoints::Derivative derivative_at(double time) const;
+  [[nodiscard]] PackedDerivative derivative_at(double time) const;
   [[nodiscard]] bool step_stiffly(double frequency);
   [[nodiscard]] double contact_frequency() const;
   [[nodiscard]] double stiff_error(double step) const;

@@ -12,8 +12,7 @@ namespace coilwright::simulation {
 using mechanics::JointMatrix;
 using mechanics::JointVector;
 
-// Accelerations of some joints at rest, rad/s^2, in which the shares y of friction on them are linear: free + by_share
-// y.
+// Accelerations of some joints at rest, rad/s^2: free + by_share y, linear in the shares y of friction on them.
 struct HeldJoints::Pull {
   JointVector free;
   JointMatrix by_share;

@@ -38,10 +38,8 @@ HeldJoints::Pull HeldJoints::pull_on(const std::vector<int>& joints, PackedState
   const auto accelerations = [&](const JointVector& shares) {
     set(shares, values);
     derive(values, slopes);
-    JointVector out(count);
-    for (Eigen::Index k = 0; k < count; ++k)
-      out[k] = slopes[static_cast<std::size_t>(model_.joints() + joints[static_cast<std::size_t>(k)])];
-    return out;
+    const int n = model_.joints();
+    return JointVector(Eigen::Map<const Eigen::VectorXd>(slopes.data() + n, n)(joints));
   };
   JointVector shares = signs_;
   for (const int joint : joints) shares[joint] = 0.0;
@@ -88,7 +86,8 @@ void HeldJoints::decide(const PackedState& values, int slipping, const PackedDer
 }
 
 JointVector HeldJoints::shares(PackedState values, const PackedDerivative& derive) const {
-  for (const int joint : held_) values[static_cast<std::size_t>(model_.joints() + joint)] = 0.0;
+  const int n = model_.joints();
+  Eigen::Map<Eigen::VectorXd>(values.data() + n, n)(held_).setZero();
   const Pull pull = pull_on(held_, std::move(values), derive);
   const JointVector found = pull.by_share.partialPivLu().solve(-pull.free);
   JointVector out = signs_;

@@ -26,7 +26,7 @@ struct TypedCommand {
 void collect(const CLI::App& command, const std::string& typed, std::vector<TypedCommand>& all) {
   all.push_back({.typed = typed, .command = &command});
   for (const std::string& name : command_names(command))
-    collect(*command.get_subcommand(name), typed.empty() ? name : typed + " " + name, all);
+    collect(*command.get_subcommand(name), typed.empty() ? name : fmt::format("{} {}", typed, name), all);
 }
 
 std::string option_words(const CLI::App& command) {

@@ -259,7 +259,8 @@ std::vector<std::string> outputs_of(const Distribution& distribution, const std:
   const bool rows_come_last =
       keep != options.end() && keep + 1 != options.end() && keep[1] != "all" && keep[1] != "feasible";
   if (rows_come_last) return out;
-  for (const std::string& name : blank_separated(distribution.command.outputs)) out.push_back(folder + "/" + name);
+  for (const std::string& name : blank_separated(distribution.command.outputs))
+    out.push_back(fmt::format("{}/{}", folder, name));
   return out;
 }
 

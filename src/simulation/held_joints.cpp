@@ -7,6 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "crossing.hpp"
+
 namespace coilwright::simulation {
 
 using mechanics::JointMatrix;
@@ -93,6 +95,30 @@ JointVector HeldJoints::shares(PackedState values, const PackedDerivative& deriv
   JointVector out = signs_;
   for (std::size_t k = 0; k < held_.size(); ++k) out[held_[k]] = found[static_cast<Eigen::Index>(k)];
   return out;
+}
+
+JointVector HeldJoints::excess(const PackedState& values, const PackedDerivative& derive) const {
+  const int n = model_.joints();
+  JointVector out = -signs_.cwiseProduct(Eigen::Map<const Eigen::VectorXd>(values.data() + n, n));
+  if (held_.empty()) return out;
+  const JointVector needed = shares(values, derive);
+  for (const int joint : held_) out[joint] = std::abs(needed[joint]) - 1.0;
+  return out;
+}
+
+std::optional<HeldJoints::Change> HeldJoints::first_change(double begin, double end, const StateAt& state_at,
+                                                           const DerivativeAt& derivative_at) const {
+  if (!model_.holds_joints()) return std::nullopt;
+  const auto excess_at = [&](double time) { return excess(state_at(time), derivative_at(time)); };
+  std::optional<Change> first;
+  JointVector last = excess_at(end);
+  for (int j = 0; j < model_.joints(); ++j) {
+    if (!(last[j] > 0.0)) continue;
+    end = crossing(begin, end, [&](double time) { return excess_at(time)[j]; });
+    last = excess_at(end);
+    first = {.time = end, .joint = j, .slips = holds(j)};
+  }
+  return first;
 }
 
 }  // namespace coilwright::simulation

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,6 +15,15 @@ namespace coilwright::simulation {
 /// whatever its friction has to be for that.
 class HeldJoints {
  public:
+  /// A joint that slid stops, or one that was held slips.
+  struct Change {
+    double time{};  ///< s
+    int joint{};
+    bool slips{};
+  };
+  using StateAt = std::function<PackedState(double time)>;
+  using DerivativeAt = std::function<PackedDerivative(double time)>;
+
   explicit HeldJoints(const actuator::Model& model);
 
   /// In ascending order.
@@ -31,11 +42,16 @@ class HeldJoints {
   /// Of friction on all joints at `values`: signs(), and of a held joint the share of its largest friction that holds
   /// it, beyond -1 to 1 where that does not suffice.
   [[nodiscard]] mechanics::JointVector shares(PackedState values, const PackedDerivative& derive) const;
+  /// The first change from `begin` to `end` (s) of a motion, given by its whole state and its derivative at a time.
+  [[nodiscard]] std::optional<Change> first_change(double begin, double end, const StateAt& state_at,
+                                                   const DerivativeAt& derivative_at) const;
   /// Writes shares of friction to its states.
   void set(const mechanics::JointVector& shares, PackedState& values) const;
 
  private:
   struct Pull;
+  // Of each joint: how far the share of friction that holds it is beyond 1, or how fast it slides against its sign.
+  [[nodiscard]] mechanics::JointVector excess(const PackedState& values, const PackedDerivative& derive) const;
   [[nodiscard]] Pull pull_on(const std::vector<int>& joints, PackedState values, const PackedDerivative& derive) const;
 
   const actuator::Model& model_;

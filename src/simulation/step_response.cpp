@@ -87,7 +87,7 @@ StepResponse measure(const BendingRecord& record, const JointPeak& joint_peak, d
 constexpr double internal_share = 1e-2;
 
 // A tenth of the relative accuracy of the change, so that a motion near its end does not ask for more than its start.
-Stepper::Tolerance tolerance_for(double relative, double change) {
+StepTolerance tolerance_for(double relative, double change) {
   const double absolute = 0.1 * relative * change;
   return {.relative = relative, .absolute = absolute, .internal = internal_share * absolute};
 }

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
+
+#include "crossing.hpp"
 
 namespace coilwright::simulation {
 namespace {
@@ -27,60 +26,15 @@ PackedState pack(const State& state) {
 constexpr std::size_t largest_input = std::size_t{actuator::CoilCurrents::MaxRowsAtCompileTime} +
                                       std::size_t{mechanics::JointVector::MaxRowsAtCompileTime};
 
-// Of a step, over the time in which pressed faces ring by a radian: shorter steps are left to the explicit pair, which
-// is stable up to about 2.5. Between 0.05 and 1 the time for sixty random designs does not change by more than 7 %.
-constexpr double stiff_step = 0.5;
-
-// Where `changed` first becomes true, to a billionth of the way from `before`, where it is not, to `after`, where it
-// is.
-template <typename Changed>
-double bisected(double before, double after, const Changed& changed) {
-  for (int i = 0; i < 30; ++i) {
-    const double middle = 0.5 * (before + after);
-    (changed(middle) ? after : before) = middle;
-  }
-  return after;
-}
-
-// Where `excess` crosses zero: from `before`, where it is below, to `after`, where it is above; there or just behind.
-template <typename Excess>
-double crossing(double before, double after, const Excess& excess) {
-  const double low = excess(before);
-  const double high = excess(after);
-  // A joint that has just been let go sets out from zero itself.
-  if (!(low < 0.0 && high > 0.0)) return bisected(before, after, [&](double time) { return excess(time) > 0.0; });
-  std::uintmax_t most = 60;
-  constexpr int bits = 36;  // as fine as the step's own errors
-  return boost::math::tools::toms748_solve(excess, before, after, low, high,
-                                           boost::math::tools::eps_tolerance<double>(bits), most)
-      .second;
-}
-
 }  // namespace
 
-double Stepper::ErrorChecker::error(algebra_type& /*algebra*/, const PackedState& values, const PackedState& slopes,
-                                    const PackedState& errors, double step) const {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    const double floor = i < internal_begin_ ? tolerance_.absolute : tolerance_.internal;
-    const double allowed = floor + tolerance_.relative * (std::abs(values[i]) + std::abs(step) * std::abs(slopes[i]));
-    // A step so long that the equation overflowed inside it says nothing: it is too long, unless it began like that.
-    if (!std::isfinite(errors[i]) && std::isfinite(allowed)) return std::numeric_limits<double>::infinity();
-    largest = std::max(largest, std::abs(errors[i]) / allowed);
-  }
-  return largest;
-}
-
-Stepper::Stepper(const actuator::Model& model, const Tolerance& tolerance)
+Stepper::Stepper(const actuator::Model& model, const StepTolerance& tolerance)
     : model_(model),
       error_checker_(tolerance, model.joints()),
       controlled_(error_checker_),
+      stiff_(model, tolerance),
       drive_(model),
-      tolerance_(tolerance),
-      squared_contact_frequencies_(model.chain().joint_mobility()),
-      held_joints_(model) {
-  for (int j = 0; j < model.joints(); ++j) squared_contact_frequencies_[j] *= model.hinges()[j].contact.stiffness;
-}
+      held_joints_(model) {}
 
 void Stepper::derive(const PackedState& values, PackedState& slopes, double time) const {
   if (!drive_.knows_something()) {
@@ -112,9 +66,8 @@ algebra::SmoothCurve Stepper::drive_ends() const {
   std::vector<double> ends;
   ends.reserve(times.size() * static_cast<std::size_t>(states));
   for (std::size_t row = 0; row < times.size(); ++row) {
-    const actuator::InternalStates settled =
-        model_.settled(mechanics::JointVector::Zero(model_.joints()), input_at(times[row]).currents);
-    ends.insert(ends.end(), settled.data(), settled.data() + states);
+    const actuator::InternalStates settled = model_.settled_drive(input_at(times[row]).currents);
+    ends.insert(ends.end(), settled.begin(), settled.end());
   }
   return algebra::SmoothCurve(times, ends, static_cast<std::size_t>(states));
 }
@@ -157,7 +110,7 @@ void Stepper::start(double time, const State& state, Input input, std::optional<
   change_friction(values_, -1);
   derive_whole(values_, slopes_, time_);
   if (model_.drive_states() > 0 && !curve_)
-    drive_.hold(time, model_.settled(state.angles, input_.currents).head(model_.drive_states()), values_, slopes_,
+    drive_.hold(time, model_.settled_drive(input_.currents), values_, slopes_,
                 [&](const PackedState& values, PackedState& slopes) { derive_whole(values, slopes, time); });
   if (curve_ && drive_.knows_along_curves()) drive_.follow(drive_ends(), values_, slopes_);
   previous_values_ = values_;
@@ -171,13 +124,10 @@ void Stepper::start(double time, const State& state, Input input, std::optional<
 // (1993), II.4, for order 5, by the norm of the largest. The estimated error of a much longer one means nothing: it may
 // be accepted with joints degrees off.
 double Stepper::first_step() const {
-  const auto n = static_cast<std::size_t>(model_.joints());
   const auto largest = [&](const PackedState& of) {
     double out = 0.0;
-    for (std::size_t i = 0; i < of.size(); ++i) {
-      const double floor = i < 2 * n ? tolerance_.absolute : tolerance_.internal;
-      out = std::max(out, std::abs(of[i]) / (floor + tolerance_.relative * std::abs(values_[i])));
-    }
+    for (std::size_t i = 0; i < of.size(); ++i)
+      out = std::max(out, std::abs(of[i]) / error_checker_.allowed(i, std::abs(values_[i])));
     return out;
   };
   const double size = largest(values_);
@@ -207,7 +157,7 @@ void Stepper::step_to(double end) {
 
 void Stepper::take_step() {
   if (friction_change_) {
-    const FrictionChange change = *friction_change_;
+    const HeldJoints::Change change = *friction_change_;
     PackedState whole = packed();
     if (!change.slips) {
       const auto rate = static_cast<std::size_t>(model_.joints() + change.joint);
@@ -223,10 +173,22 @@ void Stepper::take_step() {
   previous_values_ = values_;
   previous_slopes_ = slopes_;
   previous_time_ = time_;
-  const double frequency = contact_changed_ || curve_ || model_.has_terms() ? 0.0 : contact_frequency();
-  contact_changed_ = false;
-  last_was_stiff_ = false;
-  if (frequency == 0.0 || !step_stiffly(frequency)) step_explicitly();
+  const bool may_be_stiff = !contact_changed_ && !curve_ && !model_.has_terms();
+  last_was_stiff_ = may_be_stiff && step_stiffly();
+  if (!last_was_stiff_) step_explicitly();
+}
+
+bool Stepper::step_stiffly() {
+  const StiffStep::Taken taken =
+      stiff_.take(previous_values_, previous_slopes_, input_.currents, input_.applied, next_step_, is_given_);
+  next_step_ = taken.next;
+  contact_changed_ = taken.contact_changed;
+  if (taken.duration == 0.0) return false;
+  time_ = previous_time_ + taken.duration;
+  values_.assign(stiff_.end().begin(), stiff_.end().end());
+  slopes_.resize(values_.size());
+  derive(values_, slopes_, time_);
+  return true;
 }
 
 void Stepper::step_explicitly() {
@@ -240,7 +202,9 @@ void Stepper::step_explicitly() {
   double end = first_contact();
   contact_changed_ = end - previous_time_ >= least * whole && end - previous_time_ <= (1.0 - least) * whole;
   if (!contact_changed_) end = time_;
-  friction_change_ = first_friction_change(end);
+  friction_change_ = held_joints_.first_change(
+      previous_time_, end, [this](double time) { return time < time_ ? inside(time) : packed(); },
+      [this](double time) { return derivative_at(time); });
   if (friction_change_) {
     end = std::max(friction_change_->time, previous_time_ + least_of_friction * whole);
     contact_changed_ = false;
@@ -255,34 +219,24 @@ void Stepper::step_explicitly() {
   advance_by(end - previous_time_);
   if (time_ < end - least * (end - previous_time_)) friction_change_.reset();  // it took a shorter step
   if (friction_change_ && !friction_change_->slips) {
-    // Where the dense output of the whole step has a rate of zero the step itself has what sets both apart.
+    // Where the dense output of the whole step has a rate of zero the step itself has what sets both apart: the secant
+    // method from there, two or three steps.
+    constexpr int most = 5;
+    constexpr double zero = 1e-12;  // of the step
     const int rate = model_.joints() + friction_change_->joint;
-    const double late = packed()[static_cast<std::size_t>(rate)] /
-                        (slopes_[static_cast<std::size_t>(rate)] + drive_.fading_slope(rate, 1, time_));
-    if (std::abs(late) < least * whole && late < time_ - previous_time_) advance_by(time_ - previous_time_ - late);
+    const auto rate_left = [&] { return packed()[static_cast<std::size_t>(rate)]; };
+    double left = rate_left();
+    double slope = slopes_[static_cast<std::size_t>(rate)] + drive_.fading_slope(rate, 1, time_);
+    for (int i = 0; i < most; ++i) {
+      const double late = left / slope;
+      if (!(std::abs(late) > zero * whole && std::abs(late) < least * whole && late < time_ - previous_time_)) break;
+      const double before = time_;
+      advance_by(time_ - previous_time_ - late);
+      slope = (rate_left() - left) / (time_ - before);
+      left = rate_left();
+    }
   }
   if (friction_change_) next_step_ = std::max(next_step_, next);
-}
-
-// The first inside the last step and before that time.
-std::optional<Stepper::FrictionChange> Stepper::first_friction_change(double before) const {
-  if (!model_.holds_joints()) return std::nullopt;
-  const int n = model_.joints();
-  // By how much the friction that holds a joint is too large, or how fast one slides against the sign of its friction.
-  const auto excess = [&](const PackedState& there, double time, int joint) {
-    if (held_joints_.holds(joint)) return std::abs(held_joints_.shares(there, derivative_at(time))[joint]) - 1.0;
-    return -held_joints_.signs()[joint] * there[static_cast<std::size_t>(n + joint)];
-  };
-  const auto whole_at = [&](double time) { return time < time_ ? inside(time) : packed(); };
-  std::optional<FrictionChange> first;
-  PackedState last = whole_at(before);
-  for (int j = 0; j < n; ++j) {
-    if (!(excess(last, before, j) > 0.0)) continue;
-    before = crossing(previous_time_, before, [&](double time) { return excess(inside(time), time, j); });
-    last = whole_at(before);
-    first = {.time = before, .joint = j, .slips = held_joints_.holds(j)};
-  }
-  return first;
 }
 
 void Stepper::change_friction(const PackedState& whole, int slipping) {
@@ -299,100 +253,6 @@ PackedState Stepper::with_held_joints(PackedState whole, double time) const {
   return whole;
 }
 
-// An upper bound of the frequency at which the joints ring whose faces push, rad/s: the trace of M^-1 K of the stops.
-double Stepper::contact_frequency() const {
-  const int n = model_.joints();
-  double sum = 0.0;
-  for (int j = 0; j < n; ++j)
-    if (model_.hinges()[j].contact.torque(previous_values_[j], previous_values_[n + j]) > 0.0)
-      sum += squared_contact_frequencies_[j];
-  return std::sqrt(sum);
-}
-
-// Of the step just tried, over what is allowed. A pressed joint hardly moves: its errors count as much as they do in
-// the motion of the whole, whose largest angle and rate set the scale.
-double Stepper::stiff_error(double step) const {
-  const int n = model_.joints();
-  const MotionVector& end = rosenbrock_.end();
-  const MotionVector& error = rosenbrock_.error();
-  const Eigen::Map<const Eigen::VectorXd> slopes(previous_slopes_.data(), 2 * n);
-  const auto part = [&](int first) {
-    const double size =
-        end.segment(first, n).lpNorm<Eigen::Infinity>() + step * slopes.segment(first, n).lpNorm<Eigen::Infinity>();
-    return error.segment(first, n).lpNorm<Eigen::Infinity>() / (tolerance_.absolute + tolerance_.relative * size);
-  };
-  return std::max(part(0), part(n));
-}
-
-// Share of the step just tried at which a joint's faces have begun or ceased to push, if they ever do: its end, or a
-// place inside where they are likeliest to touch or to lose touch for a moment.
-std::optional<double> Stepper::changed_share(const FrozenContact& contact, int joint, double step) const {
-  if (contact.changed(joint, rosenbrock_.end())) return 1.0;
-  double inside = 0.5;
-  if (!contact.pushing(joint)) {
-    const int n = model_.joints();
-    const double angle = std::min(previous_values_[joint], rosenbrock_.end()[joint]);
-    const double before = previous_values_[n + joint];
-    const double after = rosenbrock_.end()[n + joint];
-    // An angle that falls and rises again lies above the tangents at both ends, give or take what bends them.
-    const double closing = model_.hinges()[joint].contact.closing_angle;
-    if (before >= 0.0 || after <= 0.0 || angle + step * std::max(before, -after) > closing) return std::nullopt;
-    inside = bisected(0.0, 1.0, [&](double share) { return rosenbrock_.at(share)[n + joint] > 0.0; });
-  }
-  if (contact.changed(joint, rosenbrock_.at(inside))) return inside;
-  return std::nullopt;
-}
-
-// Share of the step at which the first of the joints' faces begin or cease to push; 1 if none do.
-double Stepper::first_change(const FrozenContact& contact, double step) const {
-  double first = 1.0;
-  for (int j = 0; j < model_.joints(); ++j) {
-    const std::optional<double> share = changed_share(contact, j, step);
-    if (!share) continue;
-    const double here = bisected(0.0, *share, [&](double at) { return contact.changed(j, rosenbrock_.at(at)); });
-    first = std::min(first, here);
-  }
-  return first;
-}
-
-// One step of the Rosenbrock method; it ends where the first faces begin or cease to push. False, with nothing done,
-// where the motion asks for steps so short that the explicit pair may as well take them.
-bool Stepper::step_stiffly(double frequency) {
-  const Eigen::Index size = 2 * model_.joints();
-  const MotionVector start = Eigen::Map<const Eigen::VectorXd>(previous_values_.data(), size);
-  const MotionVector derived = Eigen::Map<const Eigen::VectorXd>(previous_slopes_.data(), size);
-  const FrozenContact contact(model_, input_.currents, input_.applied, start);
-  const mechanics::ChainSlopes slopes = contact.slopes(start, derived);
-  const auto take = [&](double step) {
-    rosenbrock_.take(start, derived, slopes, step, [&](const MotionVector& at) { return contact.derive(at); });
-  };
-  double step = next_step_;
-  for (bool accepted = false; !accepted;) {
-    if (!(step * frequency > stiff_step)) return false;
-    take(step);
-    const double error = stiff_error(step);
-    accepted = is_given_ || error <= 1.0;
-    const double change = 0.9 * std::pow(error, -1.0 / RosenbrockStep::method.order);
-    next_step_ = step * (std::isfinite(error) ? std::clamp(change, 0.2, 5.0) : 0.2);
-    if (!accepted) step = next_step_;
-  }
-  const double share = first_change(contact, step);
-  if (share < 1.0) {
-    // What has changed rings at first: the explicit pair takes the next step.
-    contact_changed_ = true;
-    next_step_ = std::min(next_step_, 1.0 / std::sqrt(squared_contact_frequencies_.sum()));
-    if (share < 1e-3) return false;
-    step *= share;
-    take(step);
-  }
-  last_was_stiff_ = true;
-  time_ = previous_time_ + step;
-  values_.assign(rosenbrock_.end().data(), rosenbrock_.end().data() + size);
-  slopes_.resize(values_.size());
-  derive(values_, slopes_, time_);
-  return true;
-}
-
 double Stepper::first_contact() const {
   double first = time_;
   const PackedState before = drive_.whole(previous_values_, previous_time_);
@@ -401,7 +261,8 @@ double Stepper::first_contact() const {
     const double closing = model_.hinges()[j].contact.closing_angle;
     const bool pressed = before[j] < closing;
     if (pressed == (after[j] < closing)) continue;
-    first = bisected(previous_time_, first, [&](double time) { return (inside(time)[j] < closing) != pressed; });
+    const double sign = pressed ? 1.0 : -1.0;
+    first = crossing(previous_time_, first, [&](double time) { return sign * (inside(time)[j] - closing); });
   }
   return first;
 }
@@ -417,7 +278,7 @@ void Stepper::advance() {
     PackedState errors(values_.size());
     controlled_.stepper().do_step(system, previous_values_, previous_slopes_, time_, values_, slopes_, next_step_,
                                   errors);
-    Pair::algebra_type algebra;
+    ExplicitPair::algebra_type algebra;
     if (error_checker_.error(algebra, previous_values_, previous_slopes_, errors, next_step_) <= most) {
       time_ += next_step_;
       return;
@@ -432,7 +293,7 @@ void Stepper::advance() {
 State Stepper::at(double time) const {
   if (last_was_stiff_) {
     const int n = model_.joints();
-    const MotionVector values = rosenbrock_.at((time - previous_time_) / (time_ - previous_time_));
+    const MotionVector values = stiff_.at((time - previous_time_) / (time_ - previous_time_));
     return {.angles = values.head(n), .rates = values.tail(n), .internal = {}};
   }
   return unpack(with_held_joints(inside(time), time));

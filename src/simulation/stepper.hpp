@@ -3,7 +3,6 @@
 #include <boost/numeric/odeint/algebra/default_operations.hpp>
 #include <boost/numeric/odeint/algebra/range_algebra.hpp>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <optional>
 #include <span>
 #include <utility>
@@ -11,11 +10,11 @@
 #include "coilwright/actuator/model/model.hpp"
 #include "coilwright/algebra/smooth_curve.hpp"
 #include "coilwright/simulation/state.hpp"
-#include "frozen_contact.hpp"
 #include "held_joints.hpp"
 #include "known_drive.hpp"
 #include "packed_state.hpp"
-#include "rosenbrock_step.hpp"
+#include "step_error.hpp"
+#include "stiff_step.hpp"
 
 namespace coilwright::simulation {
 
@@ -28,12 +27,6 @@ class Stepper {
     actuator::CoilCurrents currents;  ///< A
     mechanics::JointVector applied;   ///< N m
   };
-  /// Allowed error of one step in every state x: absolute + relative (|x| + h |dx/dt|).
-  struct Tolerance {
-    double relative{};  ///< dimensionless
-    double absolute{};  ///< rad for angles, rad/s for rates
-    double internal{};  ///< the same for an effect's state, in its SI unit
-  };
   /// Bending angle (sum of the joint angles) and its derivatives at one time.
   struct Bending {
     double time{};          ///< s
@@ -42,7 +35,7 @@ class Stepper {
     double acceleration{};  ///< rad/s^2
   };
 
-  Stepper(const actuator::Model& model, const Tolerance& tolerance);
+  Stepper(const actuator::Model& model, const StepTolerance& tolerance);
 
   /// Starts anew at `time` from `state`; keeps the last step size as a first guess.
   void start(double time, const State& state, Input input) { start(time, state, std::move(input), std::nullopt); }
@@ -67,43 +60,15 @@ class Stepper {
   [[nodiscard]] Bending bending() const;
 
  private:
-  using Pair = boost::numeric::odeint::runge_kutta_dopri5<PackedState>;
-
-  // Odeint's own, but with a floor of their own for the effects' states.
-  class ErrorChecker {
-   public:
-    using algebra_type = Pair::algebra_type;
-    using operations_type = Pair::operations_type;
-    ErrorChecker(const Tolerance& tolerance, int joints)
-        : tolerance_(tolerance), internal_begin_(2 * static_cast<std::size_t>(joints)) {}
-    [[nodiscard]] double error(algebra_type& algebra, const PackedState& values, const PackedState& slopes,
-                               const PackedState& errors, double step) const;
-
-   private:
-    Tolerance tolerance_;
-    std::size_t internal_begin_;
-  };
-  using Controlled = boost::numeric::odeint::controlled_runge_kutta<Pair, ErrorChecker>;
-
-  // Where a joint stops that slides, or slips that was held.
-  struct FrictionChange {
-    double time{};
-    int joint{};
-    bool slips{};
-  };
+  using Controlled = boost::numeric::odeint::controlled_runge_kutta<ExplicitPair, StepErrorChecker>;
 
   void take_step();
   void step_explicitly();
-  [[nodiscard]] std::optional<FrictionChange> first_friction_change(double before) const;
   void change_friction(const PackedState& whole, int slipping);
   [[nodiscard]] PackedState inside(double time) const;
   [[nodiscard]] PackedState with_held_joints(PackedState whole, double time) const;
   [[nodiscard]] PackedDerivative derivative_at(double time) const;
-  [[nodiscard]] bool step_stiffly(double frequency);
-  [[nodiscard]] double contact_frequency() const;
-  [[nodiscard]] double stiff_error(double step) const;
-  [[nodiscard]] std::optional<double> changed_share(const FrozenContact& contact, int joint, double step) const;
-  [[nodiscard]] double first_change(const FrozenContact& contact, double step) const;
+  [[nodiscard]] bool step_stiffly();  // false: nothing was done
   void advance();
   [[nodiscard]] algebra::SmoothCurve drive_ends() const;
   [[nodiscard]] Input input_at(double time) const;
@@ -117,8 +82,9 @@ class Stepper {
   [[nodiscard]] State unpack(const PackedState& values) const;
 
   const actuator::Model& model_;
-  ErrorChecker error_checker_;
+  StepErrorChecker error_checker_;
   Controlled controlled_;
+  StiffStep stiff_;
   Input input_;
   std::optional<algebra::SmoothCurve> curve_;
   KnownDrive drive_;
@@ -129,12 +95,9 @@ class Stepper {
   PackedState slopes_;
   PackedState previous_values_;
   PackedState previous_slopes_;
-  Tolerance tolerance_;
-  mechanics::JointVector squared_contact_frequencies_;  // of each joint alone while its faces push, 1/s^2
   HeldJoints held_joints_;
-  std::optional<FrictionChange> friction_change_;  // at the end of the last step
-  RosenbrockStep rosenbrock_;
-  bool is_given_ = false;  // the length of the next step
+  std::optional<HeldJoints::Change> friction_change_;  // at the end of the last step
+  bool is_given_ = false;                              // the length of the next step
   bool last_was_stiff_ = false;
   bool contact_changed_ = false;  // at the end of the last step
 };

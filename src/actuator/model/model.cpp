@@ -91,29 +91,44 @@ EffectTerm::InternalStateView Model::own(const Term& term, const double* states,
   return {.states = states + term.first, .slopes = slopes == nullptr ? nullptr : slopes + term.first};
 }
 
+void Model::settle(const Term& term, const EffectTerm::Kinematics& motion, const CoilCurrents& entering,
+                   InitialHistory history, double* states) const {
+  if (term.held) return;
+  if (history == InitialHistory::recorded_run)
+    term.effect->begin(motion, entering, states + term.first);
+  else
+    term.effect->settle(motion, entering, states + term.first);
+}
+
+CoilCurrents Model::settle_drive(const EffectTerm::Kinematics& motion, CoilCurrents currents, InitialHistory history,
+                                 double* states) const {
+  for (const Term& term : terms(Stage::drive, Stage::drive)) {
+    settle(term, motion, currents, history, states);
+    term.effect->drive(own(term, states, nullptr), currents);
+  }
+  return currents;
+}
+
 InternalStates Model::settled(const JointVector& angles, const CoilCurrents& command, InitialHistory history) const {
   InternalStates states = InternalStates::Zero(internal_states_);
   if (terms_.empty()) return states;
   const JointVector still = JointVector::Zero(joints());
   const EffectTerm::Kinematics motion{.chain = spec_.chain, .angles = angles, .rates = still};
-  const auto settle = [&](const Term& term, const CoilCurrents& entering) {
-    if (term.held) return;
-    if (history == InitialHistory::recorded_run)
-      term.effect->begin(motion, entering, states.data() + term.first);
-    else
-      term.effect->settle(motion, entering, states.data() + term.first);
-  };
-  CoilCurrents currents = command;
-  for (const Term& term : terms(Stage::drive, Stage::drive)) {
-    settle(term, currents);
-    term.effect->drive(own(term, states.data(), nullptr), currents);
-  }
+  const CoilCurrents currents = settle_drive(motion, command, history, states.data());
   CoilCurrents strength = currents;
   for (const Term& term : terms(Stage::magnetics, Stage::magnetics)) {
-    settle(term, currents);
+    settle(term, motion, currents, history, states.data());
     term.effect->magnetize(own(term, states.data(), nullptr), currents, strength);
   }
-  for (const Term& term : terms(Stage::hinge, Stage::camera)) settle(term, strength);
+  for (const Term& term : terms(Stage::hinge, Stage::camera)) settle(term, motion, strength, history, states.data());
+  return states;
+}
+
+InternalStates Model::settled_drive(const CoilCurrents& command) const {
+  InternalStates states = InternalStates::Zero(drive_states_);
+  const JointVector still = JointVector::Zero(joints());
+  settle_drive({.chain = spec_.chain, .angles = still, .rates = still}, command, InitialHistory::long_hold,
+               states.data());
   return states;
 }
 

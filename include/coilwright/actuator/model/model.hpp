@@ -56,6 +56,8 @@ class Model {
   /// The effects' states at rest at `angles` (rad) under `command` (A).
   [[nodiscard]] InternalStates settled(const mechanics::JointVector& angles, const CoilCurrents& command,
                                        InitialHistory history = InitialHistory::long_hold) const;
+  /// The drive's states among them after a long hold: (drive_states()).
+  [[nodiscard]] InternalStates settled_drive(const CoilCurrents& command) const;
 
   /// The effective currents, A, after a long hold at `angles` (rad) under `command` (A): the coil currents that the
   /// drive lets through, scaled by what a warm magnet or a gain does to their force.
@@ -165,6 +167,12 @@ class Model {
   // Terms of the stages drive, magnetics and hinge to chain, in this order, and of the camera last.
   [[nodiscard]] std::span<const Term> terms(Stage first, Stage last) const;
 
+  // The states of one term where they begin: settled() above.
+  void settle(const Term& term, const EffectTerm::Kinematics& motion, const CoilCurrents& entering,
+              InitialHistory history, double* states) const;
+  // The same of every term of the drive; what it lets through, A.
+  CoilCurrents settle_drive(const EffectTerm::Kinematics& motion, CoilCurrents currents, InitialHistory history,
+                            double* states) const;
   // Effective currents, A: see strength() above.
   [[nodiscard]] CoilCurrents strength(const CoilCurrents& command, const double* states, double* slopes) const;
   // Of the hinges but for the terms; writes every joint.

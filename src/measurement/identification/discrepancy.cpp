@@ -78,4 +78,17 @@ void DiscrepancyFilter::whiten(
   }
 }
 
+// The slope of the logarithm of |K + W| over that of the variance.
+double values_told(const Series& series, const Discrepancy& discrepancy) {
+  if (discrepancy.deviation == 0.0) return 0.0;
+  constexpr double factor = 1.001;
+  const auto log_determinant = [&](double deviation) {
+    Discrepancy other = discrepancy;
+    other.deviation = deviation;
+    return DiscrepancyFilter(series, other).log_determinant();
+  };
+  return (log_determinant(discrepancy.deviation * factor) - log_determinant(discrepancy.deviation / factor)) /
+         (4.0 * std::log(factor));
+}
+
 }  // namespace coilwright::measurement::identification

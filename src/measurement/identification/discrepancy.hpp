@@ -49,4 +49,8 @@ class DiscrepancyFilter {
   double log_determinant_{};
 };
 
+/// How many values of the discrepancy a series tells apart from noise: the trace of K (K + W)^-1, K its covariance and
+/// W the white noise's. As many as there are samples where it is far above the noise, and few where it is below.
+[[nodiscard]] double values_told(const Series& series, const Discrepancy& discrepancy);
+
 }  // namespace coilwright::measurement::identification

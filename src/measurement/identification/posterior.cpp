@@ -24,13 +24,13 @@ double log_binomial(std::size_t of, std::size_t taken) {
 }
 
 // Of a discrepancy all records together tell as much as so many values of it that are independent of one another.
-constexpr double values_of_a_discrepancy = 30.0;
+constexpr double values_that_count = 30.0;
 
 // How much of the logarithm of the evidence counts. A discrepancy is no process that time makes anew: what a model
 // lacks comes back with every motion like the last one, and so does what a wrong effect can make of it.
 double share_of_evidence(const WeighedFit& heaviest) {
   if (heaviest.probability_of_noise >= 0.5) return 1.0;
-  return std::min(1.0, values_of_a_discrepancy / heaviest.lengths_of_discrepancy);
+  return std::min(1.0, values_that_count / heaviest.values_of_discrepancy);
 }
 
 // What are weights becomes probabilities.

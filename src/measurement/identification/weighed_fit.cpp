@@ -197,7 +197,9 @@ class Weighing {
       log_z += 0.5 * (std::log(2.0 * std::numbers::pi) - std::log(std::max(each, least_mode)));
     for (const double unit : mode.units) log_z += std::log(unit);
     WeighedFit out{.log_evidence = log_z, .discrepancy = left.missing};
-    if (left.missing.deviation > 0.0) out.lengths_of_discrepancy = samples() / left.missing.length;
+    if (left.missing.deviation > 0.0)
+      for (const Block& block : blocks_)
+        for (const Series& series : block.series) out.values_of_discrepancy += values_told(series, left.in(series));
     out.values = fitted_.hypothesis.clamped(fitted_.fit.values + priors_.slopes.cwiseProduct(mode.step));
     const Eigen::MatrixXd& vectors = mode.modes.vectors;
     const Eigen::VectorXd variances = mode.modes.values.cwiseMax(least_mode).cwiseInverse();

@@ -12,13 +12,12 @@ namespace coilwright::measurement::identification {
 
 /// What the records and the priors say of one hypothesis.
 struct WeighedFit {
-  double log_evidence{};          ///< natural logarithm, up to a constant of the records and the declared model
-  Discrepancy discrepancy{};      ///< the most probable one; none where noise of some colour is more probable
-  double probability_of_noise{};  ///< that what is missing is below a tenth of the noise
-  /// As many correlation lengths of the discrepancy as the records are long together; 0 where nothing is missing.
-  double lengths_of_discrepancy{};
-  Eigen::VectorXd values{};                      ///< the most probable parameters, SI; inside their bounds
-  Eigen::MatrixXd covariance{};                  ///< of them, SI; large where neither records nor priors tell
+  double log_evidence{};           ///< natural logarithm, up to a constant of the records and the declared model
+  Discrepancy discrepancy{};       ///< the most probable one; none where noise of some colour is more probable
+  double probability_of_noise{};   ///< that what is missing is below a tenth of the noise
+  double values_of_discrepancy{};  ///< how many values of it all records together tell: values_told()
+  Eigen::VectorXd values{};        ///< the most probable parameters, SI; inside their bounds
+  Eigen::MatrixXd covariance{};    ///< of them, SI; large where neither records nor priors tell
   std::vector<Eigen::Index> first_of_effects{};  ///< place of the first number of each effect among them
 };
 

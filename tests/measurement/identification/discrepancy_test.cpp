@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -68,6 +69,18 @@ TEST_P(DiscrepancyFilterOf, GivesTheGaussianLikelihoodOfTheWholeCovariance) {
     EXPECT_TRUE((rows.transpose() * rows).isApprox(expected, 1e-12));
     EXPECT_NEAR(filter.log_determinant(), 2.0 * whole.matrixLLT().diagonal().array().log().sum(), 1e-10);
   }
+}
+
+TEST_P(DiscrepancyFilterOf, CountsWhatIsToldApartFromNoise) {
+  const Series& series = GetParam();
+  for (const double deviation : {0.02, 0.3, 5.0, 1e4}) {
+    const Discrepancy d{.deviation = deviation, .length = 8.0};
+    std::vector<Eigen::Index> kept;
+    const Eigen::MatrixXd whole = covariance_of(series, d, kept);
+    const double expected = static_cast<double>(kept.size()) - whole.inverse().trace();
+    EXPECT_NEAR(values_told(series, d), expected, 1e-5 * static_cast<double>(kept.size()));
+  }
+  EXPECT_EQ(values_told(series, {.deviation = 0.0, .length = 8.0}), 0.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Series, DiscrepancyFilterOf, testing::Values(uneven_series(), even_series()));

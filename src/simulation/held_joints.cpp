@@ -106,19 +106,25 @@ JointVector HeldJoints::excess(const PackedState& values, const PackedDerivative
   return out;
 }
 
-std::optional<HeldJoints::Change> HeldJoints::first_change(double begin, double end, const StateAt& state_at,
+std::optional<HeldJoints::Change> HeldJoints::first_change(double begin, std::span<const double> times,
+                                                           const StateAt& state_at,
                                                            const DerivativeAt& derivative_at) const {
   if (!model_.holds_joints()) return std::nullopt;
   const auto excess_at = [&](double time) { return excess(state_at(time), derivative_at(time)); };
-  std::optional<Change> first;
-  JointVector last = excess_at(end);
-  for (int j = 0; j < model_.joints(); ++j) {
-    if (!(last[j] > 0.0)) continue;
-    end = crossing(begin, end, [&](double time) { return excess_at(time)[j]; });
-    last = excess_at(end);
-    first = {.time = end, .joint = j, .slips = holds(j)};
+  for (const double time : times) {
+    double end = time;
+    std::optional<Change> first;
+    JointVector last = excess_at(end);
+    for (int j = 0; j < model_.joints(); ++j) {
+      if (!(last[j] > 0.0)) continue;
+      end = crossing(begin, end, [&](double at) { return excess_at(at)[j]; });
+      last = excess_at(end);
+      first = {.time = end, .joint = j, .slips = holds(j)};
+    }
+    if (first) return first;
+    begin = time;
   }
-  return first;
+  return std::nullopt;
 }
 
 }  // namespace coilwright::simulation

@@ -42,8 +42,9 @@ class HeldJoints {
   /// Of friction on all joints at `values`: signs(), and of a held joint the share of its largest friction that holds
   /// it, beyond -1 to 1 where that does not suffice.
   [[nodiscard]] mechanics::JointVector shares(PackedState values, const PackedDerivative& derive) const;
-  /// The first change from `begin` to `end` (s) of a motion, given by its whole state and its derivative at a time.
-  [[nodiscard]] std::optional<Change> first_change(double begin, double end, const StateAt& state_at,
+  /// The first change from `begin` to the last of `times` (s, ascending) of a motion, given by its whole state and its
+  /// derivative at a time. It is looked for from each of them to the next: what comes and goes between two is not seen.
+  [[nodiscard]] std::optional<Change> first_change(double begin, std::span<const double> times, const StateAt& state_at,
                                                    const DerivativeAt& derivative_at) const;
   /// Writes shares of friction to its states.
   void set(const mechanics::JointVector& shares, PackedState& values) const;

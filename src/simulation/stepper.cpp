@@ -115,7 +115,11 @@ void Stepper::start(double time, const State& state, Input input, std::optional<
   if (curve_ && drive_.knows_along_curves()) drive_.follow(drive_ends(), values_, slopes_);
   previous_values_ = values_;
   previous_slopes_ = slopes_;
-  // What was at rest has taken long steps, and its motion now is another one. Shorter ones find their way themselves.
+  shorten_step_after_rest();
+}
+
+// What was at rest has taken long steps, and its motion now is another one. Shorter ones find their way themselves.
+void Stepper::shorten_step_after_rest() {
   constexpr double long_step = 0.02;  // s; a finger in motion takes a third of that
   if (next_step_ > long_step) next_step_ = std::min(next_step_, first_step());
 }
@@ -166,6 +170,7 @@ void Stepper::take_step() {
     }
     change_friction(whole, change.slips ? change.joint : -1);
     derive(values_, slopes_, time_);
+    if (!is_given_) shorten_step_after_rest();
   }
   if (drive_.come_to_rest(values_)) derive(values_, slopes_, time_);
   if (!is_given_) next_step_ = drive_.longest_step(values_, slopes_, next_step_);
@@ -202,9 +207,7 @@ void Stepper::step_explicitly() {
   double end = first_contact();
   contact_changed_ = end - previous_time_ >= least * whole && end - previous_time_ <= (1.0 - least) * whole;
   if (!contact_changed_) end = time_;
-  friction_change_ = held_joints_.first_change(
-      previous_time_, end, [this](double time) { return time < time_ ? inside(time) : packed(); },
-      [this](double time) { return derivative_at(time); });
+  friction_change_ = first_friction_change(end);
   if (friction_change_) {
     end = std::max(friction_change_->time, previous_time_ + least_of_friction * whole);
     contact_changed_ = false;
@@ -237,6 +240,22 @@ void Stepper::step_explicitly() {
     }
   }
   if (friction_change_) next_step_ = std::max(next_step_, next);
+}
+
+// The first in the last step and before `end`. While joints are held nothing keeps a step short, and an input may come
+// and go in it: it is looked for from each row of the input's curve to the next.
+std::optional<HeldJoints::Change> Stepper::first_friction_change(double end) const {
+  if (!model_.holds_joints()) return std::nullopt;
+  std::vector<double> times;
+  if (curve_) {
+    const std::span<const double> rows = curve_->times();
+    for (auto row = std::ranges::upper_bound(rows, previous_time_); row != rows.end() && *row < end; ++row)
+      times.push_back(*row);
+  }
+  times.push_back(end);
+  return held_joints_.first_change(
+      previous_time_, times, [this](double time) { return time < time_ ? inside(time) : packed(); },
+      [this](double time) { return derivative_at(time); });
 }
 
 void Stepper::change_friction(const PackedState& whole, int slipping) {

@@ -64,6 +64,7 @@ class Stepper {
 
   void take_step();
   void step_explicitly();
+  [[nodiscard]] std::optional<HeldJoints::Change> first_friction_change(double end) const;
   void change_friction(const PackedState& whole, int slipping);
   [[nodiscard]] PackedState inside(double time) const;
   [[nodiscard]] PackedState with_held_joints(PackedState whole, double time) const;
@@ -74,6 +75,7 @@ class Stepper {
   [[nodiscard]] Input input_at(double time) const;
   [[nodiscard]] double first_contact() const;  // in the last step; its end if there is none
   [[nodiscard]] double first_step() const;
+  void shorten_step_after_rest();
   void derive(const PackedState& values, PackedState& slopes, double time) const;
   void derive_whole(const PackedState& values, PackedState& slopes, double time) const {
     derive_held(values, slopes, time, held_joints_.held());

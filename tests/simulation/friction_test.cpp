@@ -150,6 +150,47 @@ TEST(LoadFriction, HoldsNothingWithoutADrive) {
   EXPECT_EQ(after(model_of({}, "load_friction", {0.2}), 0.0, 0.0, 0.5).rates[0], 0.0);
 }
 
+// While a joint is held nothing keeps steps short, and a torque along a curve lets it slip in the middle of a long one:
+// T sin(w t) slides it from where that is F until the rate (T / w (cos w t1 - cos w t) - F (t - t1)) / J is zero again,
+// one way in the first half of each period and back in the second.
+TEST(Friction, LetsAJointSlipForAMomentOfAnInputAlongACurve) {
+  constexpr double torque = 1.2 * friction;
+  constexpr double w = 4.0 * std::numbers::pi;  // 2 Hz
+  const double slips = std::asin(friction / torque) / w;
+  const auto rate = [&](double time) {
+    return (torque / w * (std::cos(w * slips) - std::cos(w * time)) - friction * (time - slips)) / inertia;
+  };
+  double stops = std::numbers::pi / w;
+  for (double before = 0.5 * stops, step = 0.25 * stops; step > 1e-15; step *= 0.5) {
+    if (rate(before + step) > 0.0) before += step;
+    stops = before;
+  }
+  const double sliding = stops - slips;
+  const double moves = (torque / w * (sliding * std::cos(w * slips) - (std::sin(w * stops) - std::sin(w * slips)) / w) -
+                        0.5 * friction * sliding * sliding) /
+                       inertia;
+  ASSERT_GT(moves, 0.01);
+
+  ModelInput input;
+  for (int i = 0; i <= 1000; ++i) {
+    input.times.push_back(2e-3 * i);
+    input.currents.emplace_back(0);
+    input.joint_torques.push_back(JointVector::Constant(1, torque * std::sin(w * input.times.back())));
+  }
+  input.straight.assign(input.times.size(), 1);
+  input.straight.back() = 0;
+  input.passed = input.straight;
+  input.passed.front() = 0;
+  const std::vector<State> motion =
+      simulate(model_of({}, "dry_friction", {friction}), input,
+               {.angles = JointVector::Zero(1), .rates = JointVector::Zero(1)}, {.relative = 1e-9});
+  for (int half = 0; half < 8; ++half) {
+    const State& end = motion[static_cast<std::size_t>(125 * (half + 1))];
+    EXPECT_NEAR(end.angles[0], half % 2 == 0 ? moves : 0.0, 1e-5 * moves) << half;
+    EXPECT_EQ(end.rates[0], 0.0);
+  }
+}
+
 // A torque as rough as a measured one, along a curve: 1 s of 1000 samples.
 ModelInput rough(double size) {
   ModelInput out;

@@ -1,5 +1,6 @@
 #include "measurement/identification/discrepancy.hpp"
 
+#include <boost/math/differentiation/finite_difference.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -81,14 +82,13 @@ void DiscrepancyFilter::whiten(
 // The slope of the logarithm of |K + W| over that of the variance.
 double values_told(const Series& series, const Discrepancy& discrepancy) {
   if (discrepancy.deviation == 0.0) return 0.0;
-  constexpr double factor = 1.001;
-  const auto log_determinant = [&](double deviation) {
+  const auto log_determinant = [&](double log_variance) {
     Discrepancy other = discrepancy;
-    other.deviation = deviation;
+    other.deviation = std::exp(0.5 * log_variance);
     return DiscrepancyFilter(series, other).log_determinant();
   };
-  return (log_determinant(discrepancy.deviation * factor) - log_determinant(discrepancy.deviation / factor)) /
-         (4.0 * std::log(factor));
+  return boost::math::differentiation::finite_difference_derivative(log_determinant,
+                                                                    2.0 * std::log(discrepancy.deviation));
 }
 
 }  // namespace coilwright::measurement::identification

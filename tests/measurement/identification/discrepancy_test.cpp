@@ -78,7 +78,7 @@ TEST_P(DiscrepancyFilterOf, CountsWhatIsToldApartFromNoise) {
     std::vector<Eigen::Index> kept;
     const Eigen::MatrixXd whole = covariance_of(series, d, kept);
     const double expected = static_cast<double>(kept.size()) - whole.inverse().trace();
-    EXPECT_NEAR(values_told(series, d), expected, 1e-5 * static_cast<double>(kept.size()));
+    EXPECT_NEAR(values_told(series, d), expected, 1e-10 * static_cast<double>(kept.size()));
   }
   EXPECT_EQ(values_told(series, {.deviation = 0.0, .length = 8.0}), 0.0);
 }

@@ -112,7 +112,7 @@ TEST(PosteriorOf, CountsThirtyValuesOfWhatEveryHypothesisLacks) {
   ASSERT_GT(values, 60.0);
   const double prior = log_prior(odds[0].effects, kinds) - log_prior(odds[1].effects, kinds);
   EXPECT_NEAR(std::log(odds[0].probability / odds[1].probability),
-              30.0 / values * (odds[0].log_evidence - odds[1].log_evidence) + prior, 1e-6);
+              30.0 / values * (odds[0].log_evidence - odds[1].log_evidence) + prior, 1e-9);
 }
 
 }  // namespace

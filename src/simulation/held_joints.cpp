@@ -31,6 +31,11 @@ void HeldJoints::set(const JointVector& shares, PackedState& values) const {
   model_.set_friction(shares, {values.data() + first, values.size() - first});
 }
 
+void HeldJoints::stop(PackedState& values) const {
+  const int n = model_.joints();
+  Eigen::Map<Eigen::VectorXd>(values.data() + n, n)(held_).setZero();
+}
+
 HeldJoints::Pull HeldJoints::pull_on(const std::vector<int>& joints, PackedState values,
                                      const PackedDerivative& derive) const {
   // rad/s^2: a friction without any torque, of a drive that has none, counts as one that could just do this.
@@ -88,8 +93,7 @@ void HeldJoints::decide(const PackedState& values, int slipping, const PackedDer
 }
 
 JointVector HeldJoints::shares(PackedState values, const PackedDerivative& derive) const {
-  const int n = model_.joints();
-  Eigen::Map<Eigen::VectorXd>(values.data() + n, n)(held_).setZero();
+  stop(values);
   const Pull pull = pull_on(held_, std::move(values), derive);
   const JointVector found = pull.by_share.partialPivLu().solve(-pull.free);
   JointVector out = signs_;

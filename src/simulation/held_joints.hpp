@@ -48,6 +48,8 @@ class HeldJoints {
                                                    const DerivativeAt& derivative_at) const;
   /// Writes shares of friction to its states.
   void set(const mechanics::JointVector& shares, PackedState& values) const;
+  /// Puts the rates of held joints to zero, where dense output leaves rounding.
+  void stop(PackedState& values) const;
 
  private:
   struct Pull;

@@ -268,7 +268,7 @@ void Stepper::change_friction(const PackedState& whole, int slipping) {
 PackedState Stepper::with_held_joints(PackedState whole, double time) const {
   if (held_joints_.held().empty()) return whole;
   held_joints_.set(held_joints_.shares(whole, derivative_at(time)), whole);
-  for (const int joint : held_joints_.held()) whole[static_cast<std::size_t>(model_.joints() + joint)] = 0.0;
+  held_joints_.stop(whole);
   return whole;
 }
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/opened_file.hpp"
 #include "coilwright/text/output/output_file.hpp"
 
 namespace coilwright::cli {
@@ -41,11 +41,9 @@ std::vector<fs::path> loaded_libraries() {
 void copy_whole(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::create_directories(to.parent_path(), error);
-  std::ifstream source(from, std::ios::binary);
-  if (!source) throw text::InputError({.file = from.string(), .rule = "cannot be opened"});
+  std::ifstream source = text::opened(from);
   text::OutputFile copy(to);
-  if (source.peek() != std::ifstream::traits_type::eof())
-    copy.stream() << source.rdbuf();  // nothing would be a failure
+  text::copy_rest(source, from, copy.stream());
   copy.commit();
   fs::permissions(to, fs::status(from).permissions(), error);
 }

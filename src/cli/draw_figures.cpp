@@ -8,7 +8,6 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +15,8 @@
 #include <utility>
 
 #include "coilwright/results/page_file.hpp"
+#include "coilwright/text/input_text.hpp"
+#include "coilwright/text/json/document.hpp"
 #include "coilwright/text/packed_file.hpp"
 
 namespace coilwright::cli {
@@ -46,11 +47,6 @@ class WorkFolder {
 void write(const fs::path& file, std::string_view text) {
   fs::create_directories(file.parent_path());
   std::ofstream(file, std::ios::binary) << text;
-}
-
-std::string read(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 // Its exit status; -1 where it could not be started.
@@ -92,7 +88,7 @@ DrawnFigures draw_figures(std::vector<page::FigureFile> files) {
   for (std::size_t i = 0, count = out.files.size(); i < count; ++i) {
     if (!out.files[i].name.ends_with(chart)) continue;
     const std::string name = out.files[i].name.substr(0, out.files[i].name.size() - chart.size()) + ".svg";
-    out.files.push_back({.name = name, .text = read(charts / name)});
+    out.files.push_back({.name = name, .text = text::read_text(charts / name, text::json_size_limit).text});
   }
   return out;
 }

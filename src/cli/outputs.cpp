@@ -6,6 +6,7 @@
 #include <fstream>
 #include <system_error>
 #include "coilwright/text/one_line.hpp"
+#include "coilwright/text/opened_file.hpp"
 #include "coilwright/text/output/output_file.hpp"
 
 #include "coilwright/results/provenance.hpp"
@@ -67,9 +68,10 @@ void write_file(const std::filesystem::path& path, std::string_view mark, bool f
 
 void keep_other_table(const text::OutputFile& file, std::span<const std::string> columns, bool force) {
   if (file.path() == "-") return;  // standard output, and no file of that name
-  std::ifstream present(file.path());
+  if (force || !exists(file.path())) return;
+  std::ifstream present = text::opened(file.path());
   std::string header;
-  if (force || !std::getline(present, header) || header == fmt::format("{}", fmt::join(columns, ","))) return;
+  if (!std::getline(present, header) || header == fmt::format("{}", fmt::join(columns, ","))) return;
   throw other_content(file.path());
 }
 

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cerrno>
 #include <limits>
 #include <system_error>
 
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/input_text.hpp"
+#include "coilwright/text/opened_file.hpp"
 #include "coilwright/text/require_readable.hpp"
 
 namespace coilwright::text {
@@ -64,6 +66,26 @@ InputText read_text(const std::filesystem::path& path, std::size_t size_limit) {
     read.text.resize(filled + file.read({read.text.data() + filled, block}).size());
     if (read.text.size() < filled + block) return read;
   }
+}
+
+std::ifstream opened(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw cannot("opened", path.string(), errno);
+  file.exceptions(std::ios::badbit);
+  return file;
+}
+
+void copy_rest(std::ifstream& from, const fs::path& path, std::ostream& to) {
+  std::array<char, 1 << 16> block{};
+  const auto next = [&] {
+    try {
+      from.read(block.data(), block.size());
+    } catch (const std::ios_base::failure&) {
+      throw cannot("read", path.string(), errno);
+    }
+    return from.gcount();
+  };
+  while (const std::streamsize count = next()) to.write(block.data(), count);
 }
 
 void require_readable(const fs::path& path) {

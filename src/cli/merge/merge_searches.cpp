@@ -11,6 +11,7 @@
 #include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/formats/study/result_json.hpp"
 #include "coilwright/sizing/problem/front.hpp"
+#include "coilwright/text/opened_file.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "parts.hpp"
 
@@ -127,8 +128,12 @@ ExitCode merge_size(const MergeOptions& options, const Parts& parts) {
   const std::vector<formats::SearchPart> searches = searches_of(parts);
   const std::size_t best = best_search_of(problem.problem(), searches);
   text::OutputFolder folder(options.out);
-  for (const char* name : files_of_size)
-    if (std::ifstream file(parts.folders[best] / name, std::ios::binary); file) folder.open(name) << file.rdbuf();
+  for (const char* name : files_of_size) {
+    const std::filesystem::path from = parts.folders[best] / name;
+    if (!exists(from)) continue;  // none of a seed that found no design
+    std::ifstream file = text::opened(from);
+    text::copy_rest(file, from, folder.open(name));
+  }
   const std::vector<FoundDesign> answer{{.search = best}};
   write_seeds(options, folder, {problem.study(), parts.whole, searches, answer});
   return searches[best].feasible ? ExitCode::done : ExitCode::infeasible;

@@ -1,11 +1,13 @@
 #include <fstream>
 #include <ostream>
+#include <string>
 
 #include "cli/archive/opened_archive.hpp"
 #include "cli/outputs.hpp"
 #include "cli/part_run.hpp"
 #include "cli/sweep_answer.hpp"
 #include "coilwright/formats/study/design_tables.hpp"
+#include "coilwright/text/opened_file.hpp"
 #include "parts.hpp"
 
 namespace coilwright::cli {
@@ -13,10 +15,10 @@ namespace {
 
 // All rows but the header, as they are.
 void copy_rows(const std::filesystem::path& table, std::ostream& out) {
-  std::ifstream rows(table, std::ios::binary);
+  std::ifstream rows = text::opened(table);
   std::string header;
   std::getline(rows, header);
-  if (rows.peek() != std::ifstream::traits_type::eof()) out << rows.rdbuf();
+  text::copy_rest(rows, table, out);
 }
 
 }  // namespace

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "coilwright/text/one_line.hpp"
+#include "coilwright/text/opened_file.hpp"
 #include "text/input_file.hpp"
 
 namespace coilwright::text {
@@ -181,16 +182,16 @@ bool OutputFile::would_change() {
   if (path_ == standard_stream) return false;
   std::error_code none;  // not there, or not to be read: nothing is known of it, and commit() says what is wrong
   if (!fs::is_regular_file(path_, none)) return false;
-  std::ifstream there(path_, std::ios::binary);
-  std::ifstream mine(sibling_, std::ios::binary);
+  std::ifstream there = opened(path_);
+  std::ifstream mine = opened(sibling_);
   using Bytes = std::istreambuf_iterator<char>;
   return !std::equal(Bytes(there), Bytes(), Bytes(mine), Bytes());
 }
 
 bool OutputFile::would_replace_other_kind(std::string_view mark) {
   if (!would_change()) return false;
-  std::ifstream there(path_, std::ios::binary);
-  std::ifstream mine(sibling_, std::ios::binary);
+  std::ifstream there = opened(path_);
+  std::ifstream mine = opened(sibling_);
   std::string beginning;
   for (char next{}; !beginning.ends_with(mark) && mine.get(next);) beginning += next;
   std::string present(beginning.size(), '\0');

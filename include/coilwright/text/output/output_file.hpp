@@ -46,10 +46,12 @@ class OutputFile {
 
   /// Writes out what is buffered and waits until all of it is on the disk. Throws OutputError (writing).
   void close();
-  /// Closes, and tells whether commit() would replace a file of another content. Throws OutputError (writing).
+  /// Closes, and tells whether commit() would replace a file of another content. Throws OutputError (writing),
+  /// InputError where that file cannot be opened.
   [[nodiscard]] bool would_change();
   /// Closes, and tells whether commit() would replace a file of another kind: one that is not empty and does not begin
-  /// as this one does up to the end of the first `mark` (the header of a table: "\n"). Throws OutputError (writing).
+  /// as this one does up to the end of the first `mark` (the header of a table: "\n"). Throws OutputError (writing),
+  /// InputError where that file cannot be opened.
   [[nodiscard]] bool would_replace_other_kind(std::string_view mark);
   /// Closes, and removes what stands under the name, before other files of the same answer get theirs: a program that
   /// is killed then leaves a gap, and never files of two answers side by side. Throws OutputError (writing).

@@ -4,14 +4,13 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <stdexcept>
 
 #include "coilwright/magnetics/constants.hpp"
+#include "magnetics/coil_on_magnet.hpp"
 #include "magnetics/gauss_legendre.hpp"
 #include "magnetics/landen_steps.hpp"
 #include "magnetics/radial_nodes.hpp"
-#include "magnetics/recoil_currents.hpp"
 #include "magnetics/require.hpp"
 #include "magnetics/sheet_kernels.hpp"
 #include "magnetics/sheet_wrench.hpp"
@@ -188,34 +187,9 @@ double axial_force_of_sheets(const SheetBody& first, const SheetBody& second, do
   return std::copysign(1.0, distance) * vacuum_permeability * first.surface_current * second.surface_current * mean;
 }
 
-namespace {
-
-/// A coil's pull on a magnet, whatever its recoil.
-class CoilOnMagnet {
- public:
-  CoilOnMagnet(const ThickCoil& coil, double current, const CylinderMagnet& magnet)
-      : source_(sheets_of(coil, current)), target_(sheets_of(magnet)) {
-    if (magnet.recoil_permeability() > 1.0) recoil_.emplace(magnet);
-  }
-
-  [[nodiscard]] double force(double distance) const {
-    const double rigid = axial_force_of_sheets(source_, target_, distance);
-    if (!recoil_ || distance == 0.0) return rigid;
-    return rigid + vacuum_permeability * source_.surface_current * target_.surface_current *
-                       recoil_->axial_force(source_, distance);
-  }
-
- private:
-  SheetBody source_;
-  SheetBody target_;
-  std::optional<RecoilCurrents> recoil_;
-};
-
-}  // namespace
-
 double axial_force(const ThickCoil& coil, double current, const CylinderMagnet& magnet, double distance) {
   require_finite("current", current);
-  return CoilOnMagnet(coil, current, magnet).force(distance);
+  return CoilOnMagnet(coil, current, magnet).axial_force(distance);
 }
 
 double axial_force(const CylinderMagnet& first, const CylinderMagnet& second, double distance) {
@@ -236,7 +210,7 @@ void axial_force_per_ampere(const ThickCoil& coil, const CylinderMagnet& magnet,
         fmt::format("forces must be as many as distances ({}); got {}", distances.size(), forces.size()));
   const CoilOnMagnet pair(coil, 1.0, magnet);
   std::transform(distances.begin(), distances.end(), forces.begin(),
-                 [&](double distance) { return pair.force(distance); });
+                 [&](double distance) { return pair.axial_force(distance); });
 }
 
 }  // namespace coilwright::magnetics

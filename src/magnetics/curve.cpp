@@ -10,8 +10,8 @@
 namespace coilwright::magnetics {
 namespace {
 
-constexpr int first_intervals = 12;
-constexpr int max_intervals = 96;
+constexpr int first_intervals = 8;
+constexpr int max_intervals = 64;
 constexpr int whole_turn = 2 * max_intervals;
 /// Series with a decay below this share of what the next doubling needs are doubled all the same: halving costs more.
 constexpr double nearly = 10.0;
@@ -34,7 +34,7 @@ double chebyshev_point(int j, int n) {
 }
 
 /// A panel that needed this many is next to a singularity; its decay may mislead.
-constexpr int suspicious_intervals = 48;
+constexpr int suspicious_intervals = 32;
 
 using Samples = std::array<double, max_intervals + 1>;
 
@@ -61,17 +61,23 @@ double largest_of(const Samples& series, int from, int count) {
 
 /// Bound on what the series leaves out. An interpolant errs by at most twice the sum of the missing coefficients
 /// (Trefethen, Approximation Theory and Approximation Practice, th. 4.2). They fall geometrically for a smooth function
-/// and like a power next to a weak singularity; which of the two is not known, so the larger sum is taken, each with
-/// the decay seen between the middle and the end of the series. Where nothing decays (noise) it is n times the last.
+/// and like a power next to a weak singularity; which of the two is not known, so the larger sum is taken, from the
+/// largest of the last three on, each with the decay seen between the middle and the end of the series. Where nothing
+/// decays (noise) it is n times the last.
 double truncation_bound(const Samples& series, int n) {
-  const double end = largest_of(series, n - 2, 3);
+  int last = n;
+  for (const int k : {n - 1, n - 2})
+    if (std::abs(series[k]) > std::abs(series[last])) last = k;
+  const double end = std::abs(series[last]);
   const double middle = largest_of(series, n / 2 - 1, 3);
   double terms = n;
   if (end < 0.5 * middle) {
     const double gain = std::max(end / middle, 1e-300);
     const double rate = std::pow(gain, 2.0 / n);
     const double power = -std::log2(gain);
-    terms = std::min(terms, std::max(rate / (1.0 - rate), n / (power - 1.0)));
+    const double geometric = std::pow(rate, n + 1 - last) / (1.0 - rate);
+    const double algebraic = n / (power - 1.0) * std::pow(static_cast<double>(last) / n, power);
+    terms = std::min(terms, std::max(geometric, algebraic));
   }
   return 2.0 * terms * end;
 }

@@ -110,11 +110,9 @@ HWY_INLINE Effort effort_of_block(const SheetBody& body, const double* radius, c
 
 /// Adds to `radial` (times rho) and `axial` of a block what the body's sheets give at one level, `weight` times.
 template <class FieldOfLevel>
-HWY_INLINE void add_level(const SheetBody& body, double log_error, double level, double weight, const double* radius,
+HWY_INLINE void add_level(const SheetNodes& nodes, int steps, double level, double weight, const double* radius,
                           const double* height, double* radial, double* axial, FieldOfLevel field_of_level) {
   const Tag d;
-  const Effort effort = effort_of_block(body, radius, height, level);
-  const SheetNodes nodes(body, gauss_nodes_needed(effort.rate, log_error));
   const int count = nodes.count();
   for (std::size_t lane = 0; lane < block; lane += hn::Lanes(d)) {
     const Vector rho = hn::LoadU(d, radius + lane);
@@ -122,7 +120,7 @@ HWY_INLINE void add_level(const SheetBody& body, double log_error, double level,
     Vector sum_radial = hn::LoadU(d, radial + lane);
     Vector sum_axial = hn::LoadU(d, axial + lane);
     for (int i = 0; i < count; ++i) {
-      const Field one = field_of_level(d, hn::Set(d, nodes.radius(i)), rho, s, effort.steps);
+      const Field one = field_of_level(d, hn::Set(d, nodes.radius(i)), rho, s, steps);
       const Vector w = hn::Set(d, weight * nodes.weight(i));
       sum_radial = hn::MulAdd(w, one.radial, sum_radial);
       sum_axial = hn::MulAdd(w, one.axial, sum_axial);
@@ -155,8 +153,13 @@ void sheets(const SheetBody& body, double log_error, const FieldPoints& points, 
       hn::StoreU(hn::Zero(d), d, radial + lane);
       hn::StoreU(inside, d, axial + lane);
     }
-    add_level(body, log_error, -body.half_length, 1.0, radius, height, radial, axial, end);
-    add_level(body, log_error, body.half_length, -1.0, radius, height, radial, axial, end);
+    // Both efforts first: each is a chain of scalars, and two take no longer than one.
+    const Effort lower = effort_of_block(body, radius, height, -body.half_length);
+    const Effort upper = effort_of_block(body, radius, height, body.half_length);
+    const SheetNodes lower_nodes(body, gauss_nodes_needed(lower.rate, log_error));
+    const SheetNodes upper_nodes(body, gauss_nodes_needed(upper.rate, log_error));
+    add_level(lower_nodes, lower.steps, -body.half_length, 1.0, radius, height, radial, axial, end);
+    add_level(upper_nodes, upper.steps, body.half_length, -1.0, radius, height, radial, axial, end);
     divide_by_rho(radius, radial);
   }
 }
@@ -170,9 +173,13 @@ void loops(const SheetBody& body, double log_error, const QuadratureRule& along,
     double* axial = values.axial.data() + j;
     std::fill_n(radial, block, 0.0);
     std::fill_n(axial, block, 0.0);
-    for (std::size_t k = 0; k < along.count; ++k)
-      add_level(body, log_error, body.half_length * along.node[k], 2.0 * body.half_length * along.weight[k],
-                points.radius.data() + j, points.height.data() + j, radial, axial, loop);
+    for (std::size_t k = 0; k < along.count; ++k) {
+      const double level = body.half_length * along.node[k];
+      const Effort effort = effort_of_block(body, points.radius.data() + j, points.height.data() + j, level);
+      const SheetNodes nodes(body, gauss_nodes_needed(effort.rate, log_error));
+      add_level(nodes, effort.steps, level, 2.0 * body.half_length * along.weight[k], points.radius.data() + j,
+                points.height.data() + j, radial, axial, loop);
+    }
     divide_by_rho(points.radius.data() + j, radial);
   }
 }

@@ -2,9 +2,8 @@
 
 #include <cmath>
 
-#include "coilwright/magnetics/axial_force.hpp"
 #include "coilwright/magnetics/wrench.hpp"
-#include "magnetics/hinge_pose.hpp"
+#include "magnetics/hinge_pair.hpp"
 #include "magnetics/require.hpp"
 
 namespace coilwright::magnetics {
@@ -35,19 +34,24 @@ Separation separation(const HingeGeometry& g, double angle) {
           -(g.coil_offset + g.magnet_offset * cosine + g.axis_offset * sine)};
 }
 
-}  // namespace
-
-Pose hinge_pose(const HingeGeometry& geometry, double angle) {
+// Where the magnet of a hinge is in the coil's frame: the coil at the origin, +z its axis away from the joint, +x from
+// the axis towards the joint. So +y is the axis about which a negative turn opens the joint.
+Pose pose_at(const HingeGeometry& geometry, double angle) {
   const Separation at = separation(geometry, angle);
   return {.position = {at.across, 0.0, at.along}, .axis = {-std::sin(angle), 0.0, std::cos(angle)}};
 }
 
+// Torque by which a wrench on the magnet, about its centre and in the coil's frame, opens the hinge where its currents
+// run against the coil's, N m. With the magnet's moment along its axis an ampere of the coil attracts, so both signs
+// turn: it is the torque about +y.
 double torque_about_hinge(const Wrench& on_magnet, const HingeGeometry& geometry, double angle) {
   const Separation at = separation(geometry, angle);
   const double arm_x = at.across - geometry.axis_offset;
   const double arm_z = at.along + geometry.coil_offset;
   return on_magnet.torque.y() + arm_z * on_magnet.force.x() - arm_x * on_magnet.force.z();
 }
+
+}  // namespace
 
 double centre_distance(const HingeGeometry& geometry, double angle) {
   check(geometry, angle);
@@ -63,13 +67,17 @@ double centre_distance_derivative(const HingeGeometry& g, double angle) {
   return arm / std::hypot(at.across, at.along);
 }
 
-double hinge_torque_per_ampere(const ThickCoil& coil, const CylinderMagnet& magnet, const HingeGeometry& geometry,
-                               Fidelity fidelity, double angle) {
+double HingePair::torque(Fidelity fidelity, double angle, const Accuracy& accuracy) const {
   check(geometry, angle);
   if (fidelity == Fidelity::exact)
-    return torque_about_hinge(wrench(coil, 1.0, magnet, hinge_pose(geometry, angle)), geometry, angle);
-  return -axial_force(coil, 1.0, magnet, centre_distance(geometry, angle)) *
-         centre_distance_derivative(geometry, angle);
+    return torque_about_hinge(bodies.wrench(pose_at(geometry, angle), accuracy), geometry, angle);
+  return -bodies.axial_force(centre_distance(geometry, angle)) * centre_distance_derivative(geometry, angle);
+}
+
+double hinge_torque_per_ampere(const ThickCoil& coil, const CylinderMagnet& magnet, const HingeGeometry& geometry,
+                               Fidelity fidelity, double angle) {
+  const HingePair pair{.bodies = CoilOnMagnet(coil, 1.0, magnet), .geometry = geometry};
+  return pair.torque(fidelity, angle, accuracy_of_pose);
 }
 
 }  // namespace coilwright::magnetics

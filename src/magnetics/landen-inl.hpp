@@ -16,26 +16,6 @@ using Tag = hn::CappedTag<double, 8>;
 using Vector = hn::Vec<Tag>;
 constexpr std::size_t block = 8;
 
-/// 1 / x for x > 0 well inside the range of a double; relative error below 4e-16. Divisions wait for the slow unit that
-/// the square roots need, so this multiplies: a first guess from the bits of the exponent, then two steps of fourth
-/// order and one of second. Same bits on every machine with fused multiply-add; others divide.
-HWY_INLINE Vector reciprocal(Tag d, Vector x) {
-#if HWY_NATIVE_FMA
-  const hn::RebindToUnsigned<Tag> bits;
-  const Vector one = hn::Set(d, 1.0);
-  // 2^-52 of the sum of exponents, less what makes the guess's error, 12 %, the same either way.
-  Vector y = hn::BitCast(d, hn::Sub(hn::Set(bits, 0x7FDE623822FC16E6ULL), hn::BitCast(bits, x)));
-  for (int i = 0; i < 2; ++i) {
-    const Vector e = hn::NegMulAdd(x, y, one);
-    const Vector square = hn::MulAdd(e, e, e);
-    y = hn::MulAdd(y, hn::MulAdd(square, e, e), y);
-  }
-  return hn::MulAdd(y, hn::NegMulAdd(x, y, one), y);
-#else
-  return hn::Div(hn::Set(d, 1.0), x);
-#endif
-}
-
 /// Descending Landen transformation (arithmetic-geometric mean) shared by the complete integrals of all three kinds.
 /// Holds 2^n times the means, Bulirsch's p as the fraction p/q (no division per step) and his two coefficients; see
 /// docs/theory/magnetics.md, "One sequence for K, E and Pi".
@@ -92,7 +72,7 @@ HWY_INLINE LandenResult finish(Tag d, int steps, Landen x) {
   // The corrected mean is b / mean.
   const Vector b = hn::NegMulAdd(square, hn::Set(d, 0.25), hn::Mul(mean, mean));
   const Vector t = hn::MulAdd(b, x.q, hn::Mul(mean, x.p));
-  const Vector inverse = reciprocal(d, hn::Mul(b, t));
+  const Vector inverse = hn::Div(hn::Set(d, 1.0), hn::Mul(b, t));
   const Vector mean_inverse = hn::Mul(mean, inverse);
   LandenResult result;
   result.third_kind = hn::Mul(mean_inverse, hn::MulAdd(x.sine, mean, hn::Mul(x.cosine, b)));
@@ -129,7 +109,7 @@ HWY_INLINE Circles circles(Tag d, Vector r, Vector rho, Vector s) {
   c.near = hn::Sqrt(hn::MulAdd(c.far2, hn::Set(d, 1e-30), hn::Add(c.difference2, c.s2)));
   c.first_mean = hn::Add(c.far, c.near);
   const Vector w = hn::MulAdd(c.far, c.difference2, hn::Mul(c.near, sum2));
-  const Vector both = reciprocal(d, hn::Mul(w, c.first_mean));
+  const Vector both = hn::Div(hn::Set(d, 1.0), hn::Mul(w, c.first_mean));
   c.first_mean_inverse = hn::Mul(both, w);
   c.first_c = hn::Mul(hn::Mul(hn::Add(r, r), rho), c.first_mean_inverse);
   c.w_inverse = hn::Mul(both, c.first_mean);

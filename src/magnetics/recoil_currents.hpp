@@ -25,15 +25,12 @@ class RecoilCurrents {
   [[nodiscard]] double axial_force(const SheetBody& source, double distance) const;
 
   /// Force and torque on them about the magnet's centre, likewise, in the source's frame; `axis` is a unit vector.
-  [[nodiscard]] Wrench wrench(const SheetBody& source, const Eigen::Vector3d& position,
-                              const Eigen::Vector3d& axis) const;
-
-  /// Their magnetic moment, m^3.
-  [[nodiscard]] double moment() const;
+  [[nodiscard]] Wrench wrench(const SheetBody& source, const Eigen::Vector3d& position, const Eigen::Vector3d& axis,
+                              const Accuracy& accuracy) const;
 
  private:
-  static constexpr std::size_t side_rings = 8;
-  static constexpr std::size_t face_rings = 8;
+  static constexpr std::size_t side_rings = 4;
+  static constexpr std::size_t face_rings = 10;
 
   TargetSheet side_;
   std::array<CurrentRing, side_rings + 2 * face_rings> rings_;

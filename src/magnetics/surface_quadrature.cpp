@@ -12,11 +12,6 @@
 namespace coilwright::magnetics {
 namespace {
 
-// Chosen together so that random poses err by less than 1e-7 (tests/magnetics/wrench_test.cpp).
-constexpr double log_radial_error = -15.5;  // 2e-7
-constexpr double log_along_error = -17.0;   // 4e-8
-/// Share of the highest harmonic seen; what aliases into the integral is of twice its order, about its square.
-constexpr double harmonic_error = 3e-5;
 constexpr int first_points = 8;
 constexpr int max_points = 512;
 
@@ -121,11 +116,11 @@ struct RingSum {
 
 class RingIntegrator {
  public:
-  RingIntegrator(const SheetBody& source, const TargetSheet& target, const Frame& frame)
-      : source_(source), frame_(frame) {
+  RingIntegrator(const SheetBody& source, const TargetSheet& target, const Frame& frame, const Accuracy& accuracy)
+      : source_(source), frame_(frame), log_error_(accuracy.log_radial) {
     const double nearest = frame.position.norm() - target.radius - target.half_length - source.outer_radius;
     const double to_ends = 2.0 * std::max(nearest - source.half_length, 0.0) + 2.0 * source.half_length;
-    const double needed = gauss_nodes_needed(gauss_rate(to_ends, 2.0 * source.half_length), log_radial_error) + 1.0;
+    const double needed = gauss_nodes_needed(gauss_rate(to_ends, 2.0 * source.half_length), log_error_) + 1.0;
     if (needed <= 4.0) loops_ = static_cast<int>(std::ceil(needed));
   }
 
@@ -151,9 +146,9 @@ class RingIntegrator {
     const FieldPoints at{{rho.data(), n}, {z.data(), n}};
     const FieldValues field{{radial.data(), n}, {axial.data(), n}};
     if (loops_ > 0)
-      field_of_loops(source_, log_radial_error, gauss_legendre(loops_), at, field);
+      field_of_loops(source_, log_error_, gauss_legendre(loops_), at, field);
     else
-      field_of_sheets(source_, log_radial_error, at, field);
+      field_of_sheets(source_, log_error_, at, field);
 
     double fx = 0.0, fy = 0.0, fz = 0.0, tx = 0.0, ty = 0.0, tz = 0.0, size = 0.0;
     double outward_harmonic = 0.0, lengthwise_harmonic = 0.0, sign = 1.0;
@@ -195,22 +190,24 @@ class RingIntegrator {
  private:
   const SheetBody& source_;
   const Frame& frame_;
+  double log_error_;
   int loops_ = 0;
 };
 
 /// Rings one after the other, each with as many points as its field needs; neighbours need about as many.
 class RingByRing {
  public:
-  RingByRing(const SheetBody& source, const TargetSheet& target, const Frame& frame) : rings_(source, target, frame) {}
+  RingByRing(const SheetBody& source, const TargetSheet& target, const Frame& frame, const Accuracy& accuracy)
+      : rings_(source, target, frame, accuracy), least_harmonic_(accuracy.harmonic) {}
 
   void add(double radius, double along, double weight) {
     RingSum ring = rings_.sum(radius, along, points_);
     largest_ = std::max(largest_, ring.size);
-    while (ring.harmonic > harmonic_error * largest_ && points_ < max_points) {
+    while (ring.harmonic > least_harmonic_ * largest_ && points_ < max_points) {
       points_ *= 2;
       ring = rings_.sum(radius, along, points_);
     }
-    if (ring.harmonic < harmonic_error * harmonic_error * largest_ && points_ > first_points) points_ /= 2;
+    if (ring.harmonic < least_harmonic_ * least_harmonic_ * largest_ && points_ > first_points) points_ /= 2;
     total_.force += weight * ring.wrench.force;
     total_.torque += weight * ring.wrench.torque;
   }
@@ -219,6 +216,7 @@ class RingByRing {
 
  private:
   RingIntegrator rings_;
+  double least_harmonic_;
   int points_ = first_points;
   double largest_ = 0.0;
   Wrench total_;
@@ -238,18 +236,18 @@ Wrench turned_back(const Frame& frame, const Wrench& wrench, double scale) {
 }  // namespace
 
 Wrench lorentz_wrench(const SheetBody& source, const TargetSheet& target, const Eigen::Vector3d& position,
-                      const Eigen::Vector3d& axis) {
+                      const Eigen::Vector3d& axis, const Accuracy& accuracy) {
   const Frame frame = upright_frame(position, axis, size_of(source, target));
-  const PanelRule rule(gauss_nodes_needed(rate_along(source, target, frame), log_along_error));
-  RingByRing sheet(source, target, frame);
+  const PanelRule rule(gauss_nodes_needed(rate_along(source, target, frame), accuracy.log_along));
+  RingByRing sheet(source, target, frame, accuracy);
   for (int i = 0; i < rule.count(); ++i) sheet.add(target.radius, target.half_length * rule.node(i), rule.weight(i));
   return turned_back(frame, sheet.total(), 4.0 * std::numbers::pi * target.radius * target.half_length);
 }
 
 Wrench lorentz_wrench(const SheetBody& source, const TargetSheet& target, std::span<const CurrentRing> rings,
-                      const Eigen::Vector3d& position, const Eigen::Vector3d& axis) {
+                      const Eigen::Vector3d& position, const Eigen::Vector3d& axis, const Accuracy& accuracy) {
   const Frame frame = upright_frame(position, axis, size_of(source, target));
-  RingByRing sum(source, target, frame);
+  RingByRing sum(source, target, frame, accuracy);
   for (const CurrentRing& ring : rings) sum.add(ring.radius, ring.height, ring.radius * ring.current);
   return turned_back(frame, sum.total(), 2.0 * std::numbers::pi);
 }

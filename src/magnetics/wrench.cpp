@@ -3,10 +3,9 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "coilwright/magnetics/axial_force.hpp"
 #include "coilwright/magnetics/constants.hpp"
+#include "magnetics/coil_on_magnet.hpp"
 #include "magnetics/radial_nodes.hpp"
-#include "magnetics/recoil_currents.hpp"
 #include "magnetics/require.hpp"
 #include "magnetics/sheet_wrench.hpp"
 #include "magnetics/sheets.hpp"
@@ -20,42 +19,20 @@ void check(const Pose& pose) {
   require(pose.axis.allFinite() && pose.axis.norm() > 0.0, "pose axis", "finite and not zero", pose.axis.norm());
 }
 
-void add(Wrench& total, const Wrench& part, double weight) {
-  total.force += weight * part.force;
-  total.torque += weight * part.torque;
-}
-
-// Of what is computed for unit currents, over mu0.
-double scale_of(const SheetBody& first, const SheetBody& second) {
-  return vacuum_permeability * first.surface_current * second.surface_current;
-}
-
-Wrench wrench_between(const SheetBody& first, const SheetBody& second, const Pose& pose) {
+Wrench wrench_between(const SheetBody& first, const SheetBody& second, const Pose& pose, const Accuracy& accuracy) {
   const Eigen::Vector3d axis = pose.axis.normalized();
   const SheetNodes sheets(second, 23.0);
   Wrench total;
   for (int i = 0; i < sheets.count(); ++i) {
     const TargetSheet target{.radius = sheets.radius(i), .half_length = second.half_length};
-    add(total, lorentz_wrench(first, target, pose.position, axis), sheets.weight(i));
+    const Wrench sheet = lorentz_wrench(first, target, pose.position, axis, accuracy);
+    total.force += sheets.weight(i) * sheet.force;
+    total.torque += sheets.weight(i) * sheet.torque;
   }
-  const double scale = scale_of(first, second);
+  const double scale = vacuum_permeability * first.surface_current * second.surface_current;
   total.force *= scale;
   total.torque *= scale;
   return total;
-}
-
-// The sense of a second body on the common axis (+1 or -1 as its own axis points along z or against it), 0 off the
-// axis. There the closed form is exact to 1e-10 where the quadrature over a sheet is not, with faces level or touching.
-double sense_on_axis(const Pose& pose) {
-  constexpr double rounding = 1e-15;  // what normalising leaves of the sideways parts of an axis along z
-  const Eigen::Vector3d axis = pose.axis.normalized();
-  const bool coaxial =
-      pose.position.x() == 0.0 && pose.position.y() == 0.0 && std::hypot(axis.x(), axis.y()) <= rounding;
-  return coaxial ? std::copysign(1.0, axis.z()) : 0.0;
-}
-
-Wrench along_axis(double force) {
-  return {.force = {0.0, 0.0, force}, .torque = Eigen::Vector3d::Zero()};
 }
 
 }  // namespace
@@ -83,22 +60,23 @@ Pose seen_from(const Pose& first, const Pose& pose) {
 
 Wrench wrench(const ThickCoil& coil, double current, const CylinderMagnet& magnet, const Pose& pose) {
   require_finite("current", current);
-  check(pose);
-  if (const double sense = sense_on_axis(pose); sense != 0.0)
-    return along_axis(sense * axial_force(coil, current, magnet, pose.position.z()));
-  const SheetBody source = sheets_of(coil, current);
-  const SheetBody target = sheets_of(magnet);
-  Wrench total = wrench_between(source, target, pose);
-  if (magnet.recoil_permeability() > 1.0)
-    add(total, RecoilCurrents(magnet).wrench(source, pose.position, pose.axis.normalized()), scale_of(source, target));
-  return total;
+  return CoilOnMagnet(coil, current, magnet).wrench(pose, accuracy_of_pose);
 }
 
-Wrench wrench_of_sheets(const SheetBody& first, const SheetBody& second, const Pose& pose) {
+double sense_on_axis(const Pose& pose) {
+  constexpr double rounding = 1e-15;  // what normalising leaves of the sideways parts of an axis along z
+  const Eigen::Vector3d axis = pose.axis.normalized();
+  const bool coaxial =
+      pose.position.x() == 0.0 && pose.position.y() == 0.0 && std::hypot(axis.x(), axis.y()) <= rounding;
+  return coaxial ? std::copysign(1.0, axis.z()) : 0.0;
+}
+
+Wrench wrench_of_sheets(const SheetBody& first, const SheetBody& second, const Pose& pose, const Accuracy& accuracy) {
   check(pose);
   if (const double sense = sense_on_axis(pose); sense != 0.0)
-    return along_axis(sense * axial_force_of_sheets(first, second, pose.position.z()));
-  return wrench_between(first, second, pose);
+    return {.force = {0.0, 0.0, sense * axial_force_of_sheets(first, second, pose.position.z())},
+            .torque = Eigen::Vector3d::Zero()};
+  return wrench_between(first, second, pose, accuracy);
 }
 
 Wrench wrench(const CylinderMagnet& first, const CylinderMagnet& second, const Pose& pose) {

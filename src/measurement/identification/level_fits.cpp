@@ -254,7 +254,7 @@ LevelFits fit_level(std::span<const replay::PreparedRun> runs, const std::vector
       search_effort.worth_more_runs * explained_by_an_answer(runs, planned, places, short_fits);
   tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) {
     const PlannedExtension& plan = planned[places[i]];
-    const bool is_worth_it = plan.predicted_fall >= worth_other_starts;
+    const bool is_worth_it = plan.predicted_fall >= worth_other_starts || is_worse_than(*plan.base, short_fits[i]);
     if (is_worth_it)
       short_fits[i] =
           from_other_starts(runs, *plan.base, starts[i], further[i], pointer_to(at_declared), std::move(short_fits[i]));

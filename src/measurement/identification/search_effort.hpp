@@ -43,8 +43,10 @@ struct SearchEffort {
   std::size_t own_starts_of_more = 2;
   /// End of a fit from there, whose way is longer; likewise.
   fit::FitEffort own_start_fit{.iterations = 20, .tolerance = 1e-2};
-  /// A short fit that fails is repeated with this fraction of the start's strength, near the model without the effect.
+  /// A short fit that fails, or ends worse than the model without the effect, is repeated with this fraction of the
+  /// start's strength, of that fraction, and so on, at most so often.
   double retry_strength = 0.05;
+  int most_retries = 3;
 
   /// End of a fit that is continued to convergence: a thousandth of what decides between two hypotheses, at noise
   /// level.

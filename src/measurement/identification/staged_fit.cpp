@@ -8,6 +8,7 @@
 
 #include "coilwright/measurement/identification/decision_thresholds.hpp"
 #include "measurement/identification/effect_strength.hpp"
+#include "measurement/identification/model_error.hpp"
 #include "measurement/identification/search_effort.hpp"
 
 namespace coilwright::measurement::identification {
@@ -128,6 +129,11 @@ std::optional<ShortFit> short_fit(std::span<const replay::PreparedRun> runs, con
   return std::move(fits).result();
 }
 
+bool is_worse_than(const FittedHypothesis& base, const std::optional<ShortFit>& larger) {
+  if (is_far_from_noise(base)) return false;
+  return !larger || larger->fitted.objective() > base.fit.objective() + decision_thresholds.decisive_gain;
+}
+
 std::optional<ShortFit> from_other_starts(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
                                           std::span<const std::vector<Effect>> guesses,
                                           std::span<const std::vector<Effect>> further, const fit::Fit* at_declared,
@@ -147,12 +153,17 @@ std::optional<ShortFit> from_other_starts(std::span<const replay::PreparedRun> r
       (is_worth_more && (ends_at_a_bound(*best) || base.fit.objective() - best->fitted.objective() < worth_a_start)))
     for (const std::vector<Effect>& guess : further)
       fits.try_from_declared(guess, at_declared, search_effort.own_start_fit);
-  // A guess may be so strong that its fit diverges: it is repeated near the model without the effect.
-  if (!best || best->fitted.objective() >= base.fit.objective())
+  // A guess may be so strong that its fit diverges, or that nothing moves any more: it is repeated nearer to the model
+  // without the effect.
+  double strength = 1.0;
+  for (int i = 0; i < search_effort.most_retries; ++i) {
+    if (i == 0 ? best && best->fitted.objective() < base.fit.objective() : !is_worse_than(base, best)) break;
+    strength *= search_effort.retry_strength;
     for (std::vector<Effect> guess : guesses) {
-      for (Effect& effect : guess) effect = scaled_from_absent(std::move(effect), search_effort.retry_strength);
+      for (Effect& effect : guess) effect = scaled_from_absent(std::move(effect), strength);
       fits.try_from(guess);
     }
+  }
   return std::move(fits).result();
 }
 

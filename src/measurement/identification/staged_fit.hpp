@@ -38,6 +38,11 @@ struct ShortFit {
 [[nodiscard]] std::optional<ShortFit> short_fit(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
                                                 std::span<const std::vector<actuator::Effect>> guesses);
 
+/// Whether a base with effects added has no fit, or one that is decisively worse than the base, which has no more
+/// freedom: then it has not come near its optimum. Never where the base is far from the noise, where that makes no
+/// answer right.
+[[nodiscard]] bool is_worse_than(const FittedHypothesis& base, const std::optional<ShortFit>& larger);
+
 /// The best of `so_far` and of fits from elsewhere: from the declared numbers where `base` has no effect and its
 /// declared numbers are far off. Where the best then ends with a number of an effect at its bound, or explains next to
 /// nothing of what is above the noise, from the declared numbers with each of `further` too, unless `base` leaves noise

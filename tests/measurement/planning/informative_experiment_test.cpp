@@ -160,7 +160,7 @@ TEST(InformativeExperiment, IsFastIfLagAndDelayAreInDoubt) {
 // Three that are alike have log2 3 bits open; which of the two gains it is no run can tell.
 TEST(InformativeExperiment, TellsWhatCanBeToldWhereTwoExplanationsAreOne) {
   const auto next =
-      Rig().between(effect("coil_lag", {0.01}), {effect("force_gain", {1.1}), effect("force_gain", {1.1 + 1e-7})});
+      Rig().between(effect("coil_lag", {0.01}), {effect("force_gain", {1.1}), effect("force_gain", {1.1 + 1e-12})});
   ASSERT_TRUE(next.has_value());
   EXPECT_NEAR(next->open_bits, std::log2(3.0), 1e-12);
   EXPECT_NEAR(next->remaining_bits, 2.0 / 3.0, 2e-3);

@@ -9,14 +9,21 @@
 namespace coilwright::measurement::identification {
 namespace {
 
-// By how much one more step would lower the objective, where it is as the derivatives say.
-double predicted_fall(const fit::Fit& fitted) {
+// The step to the least objective, where that is as the derivatives say, and by how much it falls there.
+struct PredictedStep {
+  Eigen::VectorXd step{};
+  double fall{};
+};
+
+PredictedStep predicted_step(const fit::Fit& fitted) {
   Eigen::MatrixXd jacobian = fitted.jacobian;
   for (std::size_t i = 0; i < fitted.at_bound.size(); ++i)
     if (fitted.at_bound[i]) jacobian.col(static_cast<Eigen::Index>(i)).setZero();
   const Eigen::VectorXd slope = jacobian.transpose() * fitted.stacked_residuals;
   const Eigen::MatrixXd curvature = jacobian.transpose() * jacobian;
-  return slope.dot(algebra::minimum_norm(curvature, slope));
+  Eigen::VectorXd step = -algebra::minimum_norm(curvature, slope);
+  const double fall = -slope.dot(step);
+  return {.step = std::move(step), .fall = fall};
 }
 
 }  // namespace
@@ -64,9 +71,10 @@ bool FitInTurns::turn_with_kept_derivatives() {
   fit::FitRequest request = fit_request_of(runs_, plan_);
   request.effort = effort_;
   request.updates_derivatives = true;
-  if (reached_) {
-    request.start = reached_->values;
-    request.local_numbers_from = request.derivatives_from = &*reached_;
+  const std::optional<fit::Fit> behind_kink = std::exchange(behind_kink_, std::nullopt);
+  if (const std::optional<fit::Fit>& from = behind_kink ? behind_kink : reached_) {
+    request.start = from->values;
+    request.local_numbers_from = request.derivatives_from = &*from;
   }
   const auto fitted = fit::fit(request);
   if (!fitted) return false;
@@ -77,9 +85,27 @@ bool FitInTurns::turn_with_kept_derivatives() {
                                            .effort = {.iterations = 0}});
   if (!anew) return false;
   const double notable = effort_.tolerance * anew->objective();
-  const bool has_stalled = reached_ && reached_->objective() - anew->objective() <= notable;
+  if (behind_kink && anew->objective() >= reached_->objective()) return false;
+  const bool has_stalled = !behind_kink && reached_ && reached_->objective() - anew->objective() <= notable;
   reached_ = std::move(anew);
-  return !has_stalled && predicted_fall(*reached_) > notable && turns_ < search_effort.most_turns;
+  const PredictedStep next = predicted_step(*reached_);
+  if (next.fall <= notable || turns_ >= search_effort.most_turns) return false;
+  return !has_stalled || (next.fall >= search_effort.worth_a_leap && leap(next.step));
+}
+
+// False if there is no model.
+bool FitInTurns::leap(const Eigen::VectorXd& step) {
+  Eigen::VectorXd there = reached_->values + step;
+  for (Eigen::Index i = 0; i < there.size(); ++i) {
+    const fit::FitParameter& number = plan_.hypothesis.parameters()[static_cast<std::size_t>(i)];
+    there[i] = std::clamp(there[i], number.lower, number.upper);
+  }
+  behind_kink_ = fit::evaluate_with_jacobian({.hypothesis = &plan_.hypothesis,
+                                              .runs = runs_,
+                                              .start = there,
+                                              .local_numbers_from = &*reached_,
+                                              .effort = {.iterations = 0}});
+  return behind_kink_.has_value();
 }
 
 std::optional<FittedHypothesis> FitInTurns::result() && {

@@ -25,8 +25,10 @@ struct PlannedFit {
 
 /// A fit that goes on turn by turn. Where derivatives cost much, they are taken where a turn begins and follow it to
 /// its end. With derivatives of another place a fit ends where these see no way down, which is near its optimum only if
-/// they have hardly changed: they are taken anew there, and another turn begins as long as they promise more. Where
-/// they cost little there is one turn.
+/// they have hardly changed: they are taken anew there, and another turn begins as long as they promise more. Where no
+/// step goes down although they promise it, the objective has a kink, as where faces begin to touch: the fit leaps to
+/// where they promise the least, and comes back where that leads to nothing better. Where they cost little there is one
+/// turn.
 class FitInTurns {
  public:
   /// Refers to `runs` and to what `plan` refers to.
@@ -44,11 +46,13 @@ class FitInTurns {
  private:
   bool whole_fit();
   bool turn_with_kept_derivatives();
+  bool leap(const Eigen::VectorXd& step);
 
   std::span<const replay::PreparedRun> runs_;
   PlannedFit plan_;
   fit::FitEffort effort_;
   std::optional<fit::Fit> reached_{};
+  std::optional<fit::Fit> behind_kink_{};  // where the next turn begins, if not where the last one ended
   int turns_ = 0;
 };
 

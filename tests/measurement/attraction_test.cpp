@@ -53,9 +53,10 @@ TEST_P(Attraction, IsNamedAndWithinItsIntervalsInShortRuns) {
   EXPECT_EQ(numbers[2].value, 1.0);
 }
 
-// Seed 17 fails: a rest angle that is not there is named beside the attraction, whose own optimum no start reaches
-// (docs/theory/measurement.md, "Many local optima").
 INSTANTIATE_TEST_SUITE_P(Seeds, Attraction, testing::Values(21, 22));
+// Fails: a rest angle that is not there is named beside the attraction, whose own optimum no start reaches
+// (docs/theory/measurement.md, "Kinks"). Runs with --gtest_also_run_disabled_tests.
+INSTANTIATE_TEST_SUITE_P(DISABLED_Seeds, Attraction, testing::Values(17));
 
 }  // namespace
 }  // namespace coilwright::measurement

@@ -29,8 +29,9 @@ struct SearchEffort {
   /// A fit takes its derivatives anew where it ended, and goes on as long as they promise more than its tolerance and
   /// its last turn has kept such a promise, at most so often.
   int most_turns = 10;
-  /// A fit that has stalled leaps over what may be a kink where so much of chi-square is promised there. Half of the
-  /// leaps gain, by 0.3 to 250 on records of three short runs with faces.
+  /// A fit that has stalled leaps over what may be a kink where so much of chi-square is promised there. A
+  /// smaller number costs a turn for what decides nothing; a larger one leaves fits of records with faces where they
+  /// stall.
   double worth_a_leap = 2.0;
   /// Effects are tried from the declared numbers too where these are less likely than this after the recalibration.
   double numbers_pulled_away = 0.01;

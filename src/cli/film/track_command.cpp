@@ -6,7 +6,6 @@
 #include <iostream>
 #include <memory>
 #include <numbers>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +18,7 @@
 #include "coilwright/formats/simulation/commanded_input_file.hpp"
 #include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/text/input_error.hpp"
+#include "coilwright/text/output/file_name.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "coilwright/text/require_readable.hpp"
 #include "film_commands.hpp"
@@ -183,11 +183,11 @@ void check_options(const TrackOptions& options) {
   if (!options.logs.empty() && options.logs.size() != options.films.size())
     throw CLI::ValidationError(
         "--current", fmt::format("needs one log for each film, {}; got {}", options.films.size(), options.logs.size()));
-  std::set<std::string> names;
-  for (const std::string& film : options.films)
-    if (!names.insert(fs::path(film).stem().string()).second)
-      throw CLI::ValidationError(
-          "FILM", fmt::format("two films are called {}: their files would be one", fs::path(film).stem().string()));
+  std::vector<std::string> names;
+  for (const std::string& film : options.films) names.push_back(fs::path(film).stem().string() + ".csv");
+  if (const auto fault = text::fault_of_file_names(names))
+    throw CLI::ValidationError("FILM", fmt::format("the records of {} would be {}, which {}",
+                                                   options.films[fault->index], names[fault->index], fault->rule));
 }
 
 // Those that an input could be.

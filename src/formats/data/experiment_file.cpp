@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "coilwright/formats/data/dataset_file.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/text/number.hpp"
+#include "coilwright/text/output/file_name.hpp"
 #include "formats/data/experiment_parts.hpp"
 #include "formats/data/run_words.hpp"
 #include "formats/simulation/plausible_ranges.hpp"
@@ -87,8 +87,7 @@ void read_recording(ObjectReader& in, RecordingClock& clock, InputHold& hold, In
 // The name of a run is that of its file, beside dataset.json.
 std::string read_file_name(const Node& node) {
   const std::string& name = node.name();
-  const std::filesystem::path path(name);
-  if (path.has_parent_path() || path.extension() != ".csv" || path.stem().empty() || name.starts_with('.'))
+  if (fault_of_file_name(name) || !name.ends_with(".csv") || name.starts_with('.'))
     throw node.error("must be a plain file name that ends in .csv");
   return name;
 }
@@ -256,15 +255,20 @@ Experiment read_experiment_file(const Document& document) {
     const std::vector<Node> runs = in.elements("runs", Length::from_to(1, most_planned_runs));
     // A default whose key is misspelt would be missing in every run.
     in.finish();
-    std::set<std::string> names;
+    std::vector<std::string> names;
+    std::vector<const Node*> by;  // which run writes each
     for (const Node& element : runs) {
       experiment.runs.push_back(read_run(element, defaults));
       const PlannedRun& planned = experiment.runs.back();
-      const std::string& name = planned.plan.name;
-      if (!names.insert(name).second) throw element.find("file")->error("must not be there twice");
-      if (planned.input_rate > 0.0 && !names.insert(input_file_name(name)).second)
-        throw element.find("file")->error(fmt::format(
-            "must be another name: its input is written to {}, which is there already", input_file_name(name)));
+      names.push_back(planned.plan.name);
+      if (planned.input_rate > 0.0) names.push_back(input_file_name(planned.plan.name));
+      by.resize(names.size(), &element);
+    }
+    if (const auto fault = fault_of_file_names(names)) {
+      const Node file = *by[fault->index]->find("file");
+      if (file.text() == names[fault->index]) throw file.error(fault->rule);
+      throw file.error(
+          fmt::format("must be another name: its input is written to {}, which is there already", names[fault->index]));
     }
     return experiment;
   });

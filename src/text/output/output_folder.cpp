@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "coilwright/text/output/file_name.hpp"
+
 namespace coilwright::text {
 namespace {
 
@@ -17,10 +19,9 @@ namespace fs = std::filesystem;
 constexpr auto preparing = OutputError::Stage::preparing;
 
 fs::path plain_name(std::string_view name) {
-  fs::path file(name);
-  if (file.empty() || file.has_parent_path() || file == "." || file == "..")
-    throw std::invalid_argument(fmt::format("name must be a plain file name; got {}", name));
-  return file;
+  if (const auto rule = fault_of_file_name(name))
+    throw std::invalid_argument(fmt::format("name {}; got {}", *rule, name));
+  return name;
 }
 
 // Until the names of its files are on the disk. Not every file system has something to wait for.

@@ -211,6 +211,10 @@ TEST(ExperimentFile, IsRefusedInALineThatNamesPlaceRuleAndValue) {
   const std::string good = R"({"file": "a.csv", )" + head + step + "}";
   EXPECT_EQ(experiment_refusal(good + "," + good),
             R"(x.json: /runs/1/file: must not be there twice; got text "a.csv")");
+  EXPECT_EQ(
+      experiment_refusal(good + "," + R"({"file": "A.csv", )" + head + step + "}"),
+      R"(x.json: /runs/1/file: must differ from "a.csv" by more than capitals: on many systems they are one file; )"
+      R"(got text "A.csv")");
   // A name is that of a file, and stands in tables.
   EXPECT_EQ(experiment_refusal(R"({"file": "a\u0000.csv", )" + head + step + "}"),
             R"(x.json: /runs/0/file: must be one line without control characters; got text "a\x00.csv")");

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "coilwright/text/output/file_name.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "temporary_folder.hpp"
 
@@ -279,6 +280,23 @@ TEST(OutputFolder, RefusesNamesOutsideItselfAndASecondOpening) {
   out.write("x.csv", "");
   EXPECT_THAT([&] { out.write("x.csv", ""); },
               ThrowsMessage<std::invalid_argument>("name must not be opened twice; got x.csv"));
+}
+
+TEST(FileNames, ArePlainAndDifferByMoreThanCapitals) {
+  for (const char* name : {"x", "x.csv", "..x", "x..", "-", " ", "\u00e4.csv"})
+    EXPECT_FALSE(fault_of_file_name(name)) << name;
+  for (const char* name : {"", ".", "..", "/x", "a/b", "../x", "a\\b"})
+    EXPECT_EQ(fault_of_file_name(name), "must be a plain file name") << name;
+  for (const std::string& name :
+       {std::string("a\nb"), std::string("a\tb"), std::string("\x1b[1m"), std::string("a\0b", 3)})
+    EXPECT_EQ(fault_of_file_name(name), "must be one line without control characters");
+  EXPECT_EQ(fault_of_file_name(std::string(256, 'x')), "must have at most 255 bytes");
+  using Names = std::vector<std::string>;
+  EXPECT_FALSE(fault_of_file_names(Names{"a", "b", "a.csv"}));
+  EXPECT_EQ(fault_of_file_names(Names{"a", "b", "a"})->index, 2U);
+  EXPECT_EQ(fault_of_file_names(Names{"a", "b/c", "a"})->index, 1U);
+  EXPECT_EQ(fault_of_file_names(Names{"Step.csv", "step.csv"})->rule,
+            "must differ from \"Step.csv\" by more than capitals: on many systems they are one file");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "coilwright/formats/actuator/actuator_argument.hpp"
+#include "coilwright/simulation/supply.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/input_text.hpp"
 #include "coilwright/text/json/document.hpp"
@@ -54,10 +55,17 @@ BuiltDesign built_design(const formats::ActuatorFile& file, const ActuatorOption
   return {.design = design, .assembly = assemble(design, options)};
 }
 
-actuator::Model read_model(const ActuatorOptions& options) {
+DrivenModel read_driven_model(const ActuatorOptions& options) {
   formats::ActuatorFile file = read_actuator(options);
-  if (auto* model = std::get_if<actuator::Model>(&file.content)) return std::move(*model);
-  return assemble(std::get<actuator::Design>(file.content), options).model;
+  if (auto* model = std::get_if<actuator::Model>(&file.content)) return {.model = std::move(*model)};
+  actuator::Assembly assembly = assemble(std::get<actuator::Design>(file.content), options);
+  const std::optional<double> drives =
+      file.operating_point ? simulation::driven_cold(assembly, file.operating_point->supply) : std::nullopt;
+  return {.model = std::move(assembly.model), .coil = assembly.coil, .supply_drives = drives};
+}
+
+actuator::Model read_model(const ActuatorOptions& options) {
+  return read_driven_model(options).model;
 }
 
 actuator::Assembly assemble(const actuator::Design& design, const ActuatorOptions& options) {

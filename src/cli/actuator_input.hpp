@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,7 +44,19 @@ struct BuiltDesign {
 [[nodiscard]] BuiltDesign built_design(const formats::ActuatorFile& file, const ActuatorOptions& options,
                                        std::string_view reason);
 
+/// A model with what is known of its coils and its supply where it is that of a design.
+struct DrivenModel {
+  actuator::Model model;
+  std::optional<actuator::CoilElectrics> coil{};
+  /// Current in every coil that the supply of the file's operating point drives at most, coils at 20 degC, A; nothing
+  /// where no voltage is stated.
+  std::optional<double> supply_drives{};
+};
+
 /// The model in the file of `options`, or of the design in it. Throws as read_actuator() and assemble().
+[[nodiscard]] DrivenModel read_driven_model(const ActuatorOptions& options);
+
+/// The model of that alone.
 [[nodiscard]] actuator::Model read_model(const ActuatorOptions& options);
 
 /// A design of that file, assembled. Throws InputError naming the file when it cannot be.

@@ -13,6 +13,7 @@
 #include "actuator_input.hpp"
 #include "coilwright/formats/simulation/linear_model_json.hpp"
 #include "coilwright/simulation/linear_model.hpp"
+#include "coilwright/simulation/supply.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "coilwright/units/angle.hpp"
@@ -34,8 +35,7 @@ struct LineariseOptions {
 };
 
 // An actuator that has no such pose is an input that asks for what there is not.
-LinearModel linear_model(const LineariseOptions& options) {
-  const actuator::Model model = read_model(options.actuator);
+LinearModel linear_model(const LineariseOptions& options, const actuator::Model& model) {
   try {
     if (options.currents.size() == 1) return simulation::linearise(model, options.currents.front());
     if (options.currents.size() > static_cast<std::size_t>(mechanics::max_joints) + 1)
@@ -69,8 +69,14 @@ std::string as_table(const LinearModel& model) {
   return text;
 }
 
-std::string remarks(const LinearModel& model) {
+std::string remarks(const LinearModel& model, const DrivenModel& driven) {
   std::string text;
+  if (driven.supply_drives) {
+    const double share = driven.model.current_shares().cwiseAbs().maxCoeff();
+    const std::string of_supply =
+        simulation::supply_text(driven.supply_drives, model.currents.cwiseAbs().maxCoeff() / share);
+    if (!of_supply.empty()) text += "MIND: " + of_supply + ".\n";
+  }
   if (model.sticks)
     text +=
         "Something sticks (dry friction, hysteresis): the linear model is one of motions beyond what it holds, and has "
@@ -84,11 +90,12 @@ std::string remarks(const LinearModel& model) {
 void run_linearise(const LineariseOptions& options) {
   keep_inputs({options.actuator.file}, {options.out});
   require_writable({options.out});
-  const LinearModel model = linear_model(options);
+  const DrivenModel driven = read_driven_model(options.actuator);
+  const LinearModel model = linear_model(options, driven.model);
   const std::string json = formats::to_json(model).text();
   if (!options.out.empty()) write_file(options.out, json_mark, options.force, [&](std::ostream& out) { out << json; });
   report_stream(options.out) << (options.json ? json : as_table(model) + "\n" + std::string(cold_note));
-  std::cerr << remarks(model);
+  std::cerr << remarks(model, driven);
 }
 
 }  // namespace

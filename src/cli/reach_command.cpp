@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -21,6 +22,7 @@
 #include "coilwright/formats/simulation/reach_json.hpp"
 #include "coilwright/report/simulation/reach_text.hpp"
 #include "coilwright/simulation/equilibrium.hpp"
+#include "coilwright/simulation/supply.hpp"
 #include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_file.hpp"
@@ -68,16 +70,20 @@ struct Bearable {
 struct Asked {
   actuator::Model model;
   std::optional<Bearable> bearable;
+  std::optional<double> supply_drives{};  // of the file's operating point, coils at 20 degC, A
 };
 
 Asked read(const ReachOptions& options) {
   formats::ActuatorFile file = read_actuator(options.actuator);
   if (auto* model = std::get_if<actuator::Model>(&file.content)) return {.model = std::move(*model), .bearable = {}};
-  auto [design, assembly] = built_design(std::move(file), options.actuator, "it has no design");
+  auto [design, assembly] = built_design(file, options.actuator, "it has no design");
+  const std::optional<double> drives =
+      file.operating_point ? simulation::driven_cold(assembly, file.operating_point->supply) : std::nullopt;
   actuator::Model model = assembly.model;
   const double ampacity = actuator::operating_current_limit(design);
   return {.model = std::move(model),
-          .bearable = Bearable{.ampacity = ampacity, .design = std::move(design), .assembly = std::move(assembly)}};
+          .bearable = Bearable{.ampacity = ampacity, .design = std::move(design), .assembly = std::move(assembly)},
+          .supply_drives = drives};
 }
 
 control::ReachTask task_of(const ReachOptions& options, const Asked& asked) {
@@ -130,6 +136,10 @@ void write(const ReachOptions& options, const Asked& asked, const control::Reach
 
 std::string remarks(const control::Reach& reach, const control::ReachTask& task, const Asked& asked) {
   std::string out;
+  const auto magnitude = [](double one, double other) { return std::abs(one) < std::abs(other); };
+  const double largest = *std::ranges::max_element(control::best_profile(reach).profile.levels, magnitude);
+  if (const std::string text = simulation::supply_text(asked.supply_drives, largest); !text.empty())
+    out += "MIND: " + text + ".\n";
   const double held = asked.bearable ? asked.bearable->continuous_while_held(reach.current) : 0.0;
   if (asked.bearable && std::abs(reach.current) > held)
     out += fmt::format(

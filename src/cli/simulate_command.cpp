@@ -21,11 +21,9 @@
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/simulation/commanded_input_file.hpp"
 #include "coilwright/formats/simulation/motion_table.hpp"
-#include "coilwright/report/simulation/correction_text.hpp"
-#include "coilwright/simulation/correction_reach.hpp"
+#include "coilwright/report/simulation/motion_remarks.hpp"
 #include "coilwright/simulation/initial_state.hpp"
 #include "coilwright/simulation/model_input.hpp"
-#include "coilwright/simulation/pressed_joints.hpp"
 #include "coilwright/simulation/recorded_motion.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_file.hpp"
@@ -56,19 +54,6 @@ struct SimulateOptions {
   bool force{false};
   bool json{false};
 };
-
-// The model, and the coil of a design.
-struct DrivenModel {
-  actuator::Model model;
-  std::optional<actuator::CoilElectrics> coil{};
-};
-
-DrivenModel read_driven_model(const SimulateOptions& options) {
-  formats::ActuatorFile file = read_actuator(options.actuator);
-  if (auto* model = std::get_if<actuator::Model>(&file.content)) return {.model = std::move(*model)};
-  actuator::Assembly assembly = assemble(std::get<actuator::Design>(file.content), options.actuator);
-  return {.model = std::move(assembly.model), .coil = assembly.coil};
-}
 
 constexpr double usual_duration = 1.0;    // s
 constexpr double usual_interval = 0.002;  // s
@@ -106,20 +91,6 @@ CommandedInput command_of(const SimulateOptions& options, const actuator::Model&
   }
 }
 
-// What a table of few samples does not show is not seen in its extremes either.
-std::string remark_on_samples(const SimulateOptions& options, const CommandedInput& command) {
-  constexpr double far_apart = 0.05;  // s: a third of the period of a finger of 7 Hz
-  if (options.input.empty() || options.interval) return {};
-  double widest = 0.0;
-  for (std::size_t i = 1; i < command.times.size(); ++i)
-    widest = std::max(widest, command.times[i] - command.times[i - 1]);
-  if (widest <= far_apart) return {};
-  return fmt::format(
-      "The samples of {} are up to {:.3g} s apart, and the motion between them is not shown: --interval-s {} "
-      "shows it.\n",
-      options.input == "-" ? "standard input" : options.input, widest, usual_interval);
-}
-
 ModelInput model_input(const SimulateOptions& options, const actuator::Model& model, const CommandedInput& command) {
   try {
     return simulation::model_input(model, command);
@@ -138,26 +109,6 @@ RecordedMotion record(const actuator::Model& model, const ModelInput& input, con
   return simulation::record_motion(model, input, start, {.progress = [&](double time) { reached = time; }});
 }
 
-// Joints that magnets, weight or a current hold shut for the whole record or a part of it.
-std::string remark_on_joints(const actuator::Model& model, const RecordedMotion& recording) {
-  std::vector<std::size_t> samples(static_cast<std::size_t>(model.joints()));
-  for (const State& state : recording.states)
-    for (const int joint : simulation::pressed_joints(model, state.angles)) ++samples[static_cast<std::size_t>(joint)];
-  std::vector<int> always;
-  std::vector<int> sometimes;
-  for (int joint = 0; joint < model.joints(); ++joint) {
-    const std::size_t count = samples[static_cast<std::size_t>(joint)];
-    if (count > 0) (count == recording.states.size() ? always : sometimes).push_back(joint);
-  }
-  std::string text;
-  if (!always.empty())
-    text += fmt::format("The faces of {} are pressed together throughout.\n", simulation::joints_text(always));
-  if (!sometimes.empty())
-    text += fmt::format("The faces of {} are pressed together for a part of the time.\n",
-                        simulation::joints_text(sometimes));
-  return text;
-}
-
 // Writing the result over its own input would lose the input.
 void check_output(const SimulateOptions& options) {
   keep_inputs({options.actuator.file, options.input}, {options.out});
@@ -166,7 +117,7 @@ void check_output(const SimulateOptions& options) {
 void run_simulate(const SimulateOptions& options) {
   require_file_for_json(options.json, options.out);
   check_output(options);
-  const DrivenModel driven = read_driven_model(options);
+  const DrivenModel driven = read_driven_model(options.actuator);
   const actuator::Model& model = driven.model;
   const CommandedInput command = command_of(options, model);
   const ModelInput input = model_input(options, model, command);
@@ -193,8 +144,14 @@ void run_simulate(const SimulateOptions& options) {
                      .set("greatest_bending_speed_deg_s", fastest * units::degrees_per_radian)
                      .text();
   }
-  std::cerr << remark_on_samples(options, command) << remark_on_joints(model, recording);
-  std::cerr << report::to_text(simulation::correction_reach(model, recording.states, input.currents));
+  const std::string table = options.input == "-" ? "standard input" : options.input;
+  for (const std::string& remark : report::motion_remarks({.model = model,
+                                   .input = input,
+                                   .motion = recording,
+                                   .table = options.interval ? std::string() : table,
+                                   .cure = fmt::format("--interval-s {}", usual_interval),
+                                   .supply_drives = driven.supply_drives}))
+    std::cerr << remark << '\n';
 }
 
 }  // namespace

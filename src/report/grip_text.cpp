@@ -124,6 +124,15 @@ std::string tolerances_text(const GripAnswer& answer) {
           : "");
 }
 
+std::string supply_text(const GripAnswer& answer) {
+  const std::optional<double> driven = answer.heat ? answer.heat->electrics.driven_current : std::nullopt;
+  if (!driven || std::abs(answer.current) <= *driven) return {};
+  return fmt::format(
+      "MIND: the supply of the actuator's operating_point drives {:.4g} A through coils as warm as a hold without end "
+      "makes them, and not {:.4g} A: with it this is not held.\n",
+      *driven, std::abs(answer.current));
+}
+
 std::string magnets_text(const GripAnswer& answer) {
   if (answer.is_demagnetised())
     return fmt::format(
@@ -168,7 +177,7 @@ std::string to_text(const GripAnswer& answer) {
   text += tolerances_text(answer);
   if (answer.least_current) text += '\n' + least_text("current", *answer.least_current, " A");
   if (answer.least_friction) text += '\n' + least_text("friction", *answer.least_friction, "");
-  return text + heat_text(answer) + magnets_text(answer) +
+  return text + heat_text(answer) + supply_text(answer) + magnets_text(answer) +
          fmt::format(
              "\n{} such fingers with driver and supply cost {:.0f} USD; the pneumatic gripper of the paper's Table III "
              "{:.0f} USD.\n",

@@ -10,6 +10,7 @@
 
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/simulation/pressed_joints.hpp"
+#include "coilwright/simulation/supply.hpp"
 #include "coilwright/units/angle.hpp"
 
 namespace coilwright::simulation {
@@ -105,6 +106,12 @@ std::vector<PartLimit> part_limits(const DesignView& design) {
        .limit = 1.0,
        .consequence = "the wire carries more than its chassis-wiring ampacity; heat decides whether it may"},
   };
+  if (design.point.supply.voltage)
+    limits.push_back({.quantity = supply_load().name,
+                      .value = supply_load().value(design),
+                      .limit = 1.0,
+                      .consequence = "the supply has not the voltage to drive this current through the warm coils, and "
+                                     "nothing here is reached"});
   if (design.design.magnet.grade != nullptr)
     limits.push_back({.quantity = loss,
                       .value = value(loss),

@@ -21,8 +21,10 @@ enum class Wiring {
 /// What drives all coils of an actuator: a battery or a power supply.
 struct Supply {
   Wiring wiring = Wiring::parallel;
-  double resistance{};              ///< inside the battery or supply, with its leads, ohm; finite, >= 0
-  std::optional<double> voltage{};  ///< of the open circuit, V; finite, > 0; only supply_driven_current_A asks for it
+  double resistance{};  ///< inside the battery or supply, with its leads, ohm; finite, >= 0
+  /// Of the open circuit, V; finite, > 0. What needs more at the temperature of its coils cannot be driven: see
+  /// simulation::part_limits().
+  std::optional<double> voltage{};
 };
 
 /// In which poses an operating point is held, for heat.

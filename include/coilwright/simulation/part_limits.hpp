@@ -12,9 +12,10 @@ namespace coilwright::simulation {
 /// Percent of its moment that a magnet may lose for good: what remanences of one grade differ by anyway.
 inline constexpr double most_irreversible_loss = 1.0;
 
-/// A limit that a part of the actuator sets by what it is made of, whatever a study asks for, at an operating point.
+/// A limit that a part of the actuator sets by what it is made of, or its supply by the voltage that it has, whatever a
+/// study asks for, at an operating point.
 struct PartLimit {
-  std::string_view quantity;      ///< its name among the standard quantities: "magnet_temperature_degC"
+  std::string_view quantity;      ///< its name: "magnet_temperature_degC", of a standard quantity or supply_load()
   std::optional<double> value{};  ///< in the unit of that name; nothing in a thermal runaway
   double limit{};                 ///< in the same unit
   bool at_most = true;            ///< whether the value must not exceed the limit; otherwise it must not fall below it
@@ -27,9 +28,9 @@ struct PartLimit {
   [[nodiscard]] double margin() const noexcept;
 };
 
-/// The limits of coils, magnets and wire at the operating point of `design`, and the angle at which the faces of its
-/// joints touch where some are pressed together. One whose quantity does not exist for a
-/// reason other than a runaway (a magnet without a grade has no coercivity) is left out.
+/// The limits of coils, magnets and wire at the operating point of `design`, of the supply where the point states its
+/// voltage, and the angle at which the faces of its joints touch where some are pressed together. One whose quantity
+/// does not exist for a reason other than a runaway (a magnet without a grade has no coercivity) is left out.
 [[nodiscard]] std::vector<PartLimit> part_limits(const DesignView& design);
 
 /// Those of them that the design breaks; conditional ones only where no other one of the same kind, heat or field, is

@@ -75,7 +75,9 @@ GripAnswer answer_of(const GripOptions& options) {
                  .grasp = at_place("--shape, --width-mm, --centre-x-mm, --centre-below-palm-mm",
                                    [&] { return systems::gripper::grasp(gripper, object, task); })};
   if (out.grasp.holds) out.tolerance = systems::gripper::placement_tolerance(design, mounting, object, task);
-  out.heat = systems::gripper::heat_of_hold(design, gripper, out.grasp, {.current = current});
+  out.heat = systems::gripper::heat_of_hold(
+      design, gripper, out.grasp,
+      {.current = current, .supply = file.operating_point ? file.operating_point->supply : actuator::Supply{}});
   out.cost = actuator::gripper_cost(actuator::cost_of(design, gripper.assembly()).total(), options.fingers);
   out.burns_from = thermal::current_limits(actuator::heat_network(design, gripper.assembly(), out.grasp.left)).runaway;
   if (design.magnet.grade != nullptr) {

@@ -61,6 +61,8 @@ actuator::OperatingPoint operating_point_of(const ActuatorFile& file, const Oper
   take(point.supply.voltage, "supply_voltage", said.supply_voltage, positive);
   point.supply.wiring = said.wiring.value_or(point.supply.wiring);
   const auto* design = std::get_if<actuator::Design>(&file.content);
+  if (point.supply.voltage && design == nullptr)
+    throw refuse("is a lumped model, whose coils have no resistance: leave the voltage of the supply out");
   if (point.supply.wiring == actuator::Wiring::series && design != nullptr && !has_one_current(*design))
     throw refuse("wiring must be parallel: the coils have shares of the current, and in series there is one");
   return point;

@@ -61,6 +61,7 @@ Json to_json(const GripAnswer& answer) {
   if (answer.heat) {
     out.set("continuous_current_A", answer.heat->current_for_good());
     out.set("time_to_limit_s", answer.heat->time_to_limit);
+    if (const auto& driven = answer.heat->electrics.driven_current) out.set("supply_driven_current_A", *driven);
   }
   return out;
 }

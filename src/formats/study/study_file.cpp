@@ -13,6 +13,7 @@
 
 #include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
+#include "coilwright/simulation/supply.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "formats/actuator/actuator_reader.hpp"
@@ -108,6 +109,12 @@ void read_operation(const Node& node, const Blocks& blocks, Study& study) {
   in.finish();
 }
 
+// A voltage that is not stated has nothing to scatter about.
+void require_supply(const Node& spread, const actuator::Supply& supply) {
+  if (const auto scatter = spread.find("supply_voltage_V"); scatter && !supply.voltage)
+    throw scatter->error_without_value("scatters nothing: give operating_point.supply_voltage_V, the voltage meant");
+}
+
 // Shares of coils that there are, and that have drivers of their own.
 void require_shares_suit(const Study& study, const Node& root) {
   const int coils = coil_count(study.base.layout);
@@ -133,6 +140,20 @@ void require_shares_suit(const Study& study, const Node& root) {
     throw root.find("operating_point")
         ->find("wiring")
         ->error_without_value("must be parallel where coils have shares of the current: in series there is one");
+}
+
+// What the supply cannot drive through the warm coils is no operating point. As a limit like any other, results have
+// its margin, and say where it binds.
+void limit_by_supply(Study& study) {
+  if (!study.operating.supply.voltage) return;
+  const simulation::ResultQuantity& load = simulation::supply_load();
+  const auto own = std::ranges::find_if(study.limits, [&](const Limit& limit) {
+    return limit.quantity.name == load.name && limit.side == Limit::Side::at_most;
+  });
+  if (own == study.limits.end())
+    study.limits.push_back({.quantity = load, .value = 1.0});
+  else
+    own->value = std::min(own->value, 1.0);
 }
 
 // A letter instead of a row that has none would make another actuator of the study's own.
@@ -164,6 +185,10 @@ Study read_study_file(const Document& document, const StudyReading& reading) {
                            .listed = reading.quantities,
                            .spread = {},
                            .of_builds = {}};
+    if (study.operating.supply.voltage) {
+      wanted.known = wanted.known.with(simulation::supply_load());
+      wanted.listed = wanted.listed.with(simulation::supply_load());
+    }
     if (const auto spread = in.find("spread")) {
       study.spread = read_spread(*spread, variables_of(blocks), reading.posterior);
       if (const auto* driven = std::get_if<DrivenCurrent>(&study.current)) study.spread->driven = *driven;
@@ -175,9 +200,11 @@ Study read_study_file(const Document& document, const StudyReading& reading) {
     if (const auto columns = in.find("columns")) read_columns(*columns, wanted);
     study.quantities = wanted.listed;
     if (!operation || !operation->find("cases")) study.operating.cases = poses_of_use(study);
+    limit_by_supply(study);
     if (const auto search = in.find("search")) study.search = read_search(*search);
     study.base =
         changed(read_base(in.at("actuator"), reading.effects, reading.actuator), study, in.node(), reading.changes);
+    if (study.spread) require_supply(*in.find("spread"), study.operating.supply);
     if (study.spread) require_suits(*in.find("spread"), *study.spread, study.base, variables_of(blocks));
     for (StudyVariable& variable : study.variables)
       if (name_of(variable) == "polarity")

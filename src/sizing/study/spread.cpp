@@ -18,6 +18,7 @@
 #include "coilwright/actuator/modelling_choices.hpp"
 #include "coilwright/algebra/spectral.hpp"
 #include "coilwright/mechanics/joint_vector.hpp"
+#include "coilwright/simulation/supply.hpp"
 #include "coilwright/units/unit.hpp"
 #include "sizing/study/evaluate_design.hpp"
 
@@ -86,6 +87,10 @@ constexpr std::array operating_numbers{
             },
         .set = [](actuator::OperatingPoint& point,
                   double value) { point.grasp.opening = std::max(0.0, units::to_memory(value, "grasp_opening_deg")); }},
+    OperatingNumber{
+        .name = "supply_voltage_V",
+        .get = [](const actuator::OperatingPoint& point) { return point.supply.voltage.value(); },
+        .set = [](actuator::OperatingPoint& point, double value) { point.supply.voltage = std::max(1e-6, value); }},
 };
 
 const OperatingNumber* find_operating_number(std::string_view name) {
@@ -132,6 +137,20 @@ double kept_in_range(double value, actuator::ParameterRule rule) {
   using enum actuator::ParameterRule;
   if (rule == length) return std::max(value, actuator::shortest_length);
   return rule == positive || rule == not_negative ? std::max(value, 0.0) : value;
+}
+
+// A build of which the supply cannot drive the current does nothing of what was computed at it.
+DesignResult driven(DesignResult result) {
+  const auto* design = std::get_if<EvaluatedDesign>(&result);
+  if (design == nullptr || !design->point.supply.voltage) return result;
+  const simulation::ResultQuantity& supply_load = simulation::supply_load();
+  const std::optional<double> load = supply_load.value(design->view());
+  if (!load) return without_value(supply_load, design->view());
+  if (*load <= 1.0) return result;
+  return NotEvaluated{.reason =
+                          "the supply has not the voltage to drive the current: raise supply_voltage_V, or lower "
+                          "the current",
+                      .infeasibility = *load - 1.0};
 }
 
 std::vector<std::vector<std::optional<double>>> values_of_builds(const Spread& spread,
@@ -281,7 +300,7 @@ DesignResult built(const Spread& spread, const simulation::DesignView& design, s
           units::to_memory(displaced(units::from_memory(value, scatter.name), scatter, shares[i]), scatter.name));
     }
   }
-  return evaluate_design(
+  return driven(evaluate_design(
       std::move(other), std::move(settings),
       [&](const actuator::Design&, const actuator::Assembly& assembly, const auto& set) {
         if (spread.driven.drive) {
@@ -291,7 +310,7 @@ DesignResult built(const Spread& spread, const simulation::DesignView& design, s
         }
         return point;
       },
-      spread.driver);
+      spread.driver));
 }
 
 std::optional<StatisticName> statistic_named(std::string_view name) {

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coilwright/simulation/model_input.hpp"
+#include "coilwright/simulation/recorded_motion.hpp"
+
+namespace coilwright::report {
+
+/// A motion that was simulated, and what from.
+struct SimulatedMotion {
+  const actuator::Model& model;
+  const simulation::ModelInput& input;
+  const simulation::RecordedMotion& motion;
+  std::string table{};  ///< whose samples the motion is shown at, for people; empty: no table's
+  std::string cure{};   ///< the option or argument that shows it between them
+  /// Current in every coil that the actuator's own supply drives at most, coils at 20 degC, A; nothing: not known.
+  std::optional<double> supply_drives{};
+};
+
+/// What a reader must know of a motion and its table does not show, a sentence each: samples that are far apart, a
+/// current that the supply does not drive, faces that are pressed, a nameless correction used beyond where it was
+/// measured. Empty where there is nothing.
+[[nodiscard]] std::vector<std::string> motion_remarks(const SimulatedMotion& motion);
+
+}  // namespace coilwright::report

@@ -297,7 +297,9 @@ void run_field(const FieldOptions& options) {
   std::optional<text::OutputFile> picture;
   if (!options.out.empty()) table.emplace(options.out);
   if (!options.svg.empty()) picture.emplace(options.svg);
-  if (file.plate) warn_of_plate(file, options.pair);
+  report::PairRemarks remarks(file);
+  remarks.add(question.bodies, static_cast<std::size_t>(options.pose));
+  tell(remarks, options.pair);
   const FieldAnswer found = fields_at(question, options.gradient);
   if (table) write_csv(table->stream(), question, found, options.gradient);
   if (picture) picture->stream() << map_of(question, found, options.pair);

@@ -47,23 +47,6 @@ std::vector<Forces> forces_of(const PairFile& file, const std::string& name) {
   return all;
 }
 
-// Where faces touch, integrals over them lose digits.
-void warn_of_errors(const std::vector<Forces>& all, const std::string& name) {
-  constexpr double told_from = 1e-5;  // of the largest force
-  double worst = 0.0;
-  double error = 0.0;
-  for (const Forces& forces : all) {
-    double largest = 0.0;
-    for (const Wrench& each : forces.on) largest = std::max(largest, each.force.norm());
-    if (forces.error <= told_from * largest || forces.error / largest <= worst) continue;
-    worst = forces.error / largest;
-    error = forces.error;
-  }
-  if (worst > 0.0)
-    std::cerr << fmt::format("MIND: {}: edges of a body touch another one's face: a force is known to {:.2g} N.\n",
-                             name, error);
-}
-
 Json pose_json(const Pose& pose) {
   return Json::object({{"position_mm", Json::numbers(components_in(pose.position, "position_mm"))},
                        {"axis", Json::numbers(components_in(pose.axis, "axis"))}});
@@ -203,9 +186,12 @@ void run_force(const ForceOptions& options) {
   const PairFile file = formats::read_pair(options.pair);
   require_apart(file, options.pair);
   const std::vector<Forces> all = forces_of(file, options.pair);
-  warn_of_overlaps(file, options.pair);
-  warn_of_errors(all, options.pair);
-  if (file.plate) warn_of_plate(file, options.pair);
+  report::PairRemarks remarks(file);
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    remarks.add(file.bodies_at(file.poses[p]), p + 1);
+    remarks.add(all[p]);
+  }
+  tell(remarks, options.pair);
   std::cout << (options.json ? as_json(file, all, options.matrix).text() : as_table(file, all, options.matrix));
 }
 

@@ -46,6 +46,13 @@ class Field(ProgramTest):
             rise = (two["flux_density_mT"][i] - one["flux_density_mT"][i]) / 0.01  # mT/mm is T/m
             self.assertAlmostEqual(slopes[i][2], rise, delta=3e-3 * max(abs(each) for row in slopes for each in row))
 
+    def test_says_that_bodies_are_in_the_same_place(self):
+        magnet = {"magnet": {"size_mm": [10, 20, 5], "remanence_T": 1.3}}
+        for z, told in ((2, True), (6, False)):
+            result = run("field", self.file({"bodies": [magnet, {**magnet, "position_mm": [0, 0, z]}]}), "--at", "0", "0", "20",
+                         cwd=self.folder)
+            self.assertEqual((result.returncode, "in pose 1 the bodies are in the same place" in result.stderr), (0, told))
+
     def test_says_what_a_point_is_in(self):
         bodies = json.loads((DATA / "formats" / "bodies.json").read_text())
         rows = self.points(bodies, "--at", "1", "0", "4", "--at", "5", "0", "15", "--at", "0", "0", "-2", "--at", "40", "0", "9")

@@ -9,6 +9,7 @@
 
 #include "coilwright/formats/actuator/actuator_argument.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
+#include "coilwright/simulation/supply.hpp"
 #include "coilwright/text/csv/csv_table.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/input_text.hpp"
@@ -35,10 +36,12 @@ Actuator with_assignments(const Actuator& from, const std::vector<std::string>& 
 }  // namespace
 
 Actuator::Driven Actuator::driven() const {
-  if (const auto* model = std::get_if<actuator::Model>(&content.content)) return {*model, std::nullopt};
+  if (const auto* model = std::get_if<actuator::Model>(&content.content)) return {.model = *model};
   try {
     actuator::Assembly assembly = actuator::assemble_or_throw(std::get<actuator::Design>(content.content));
-    return {std::move(assembly.model), assembly.coil};
+    const auto drives =
+        content.operating_point ? simulation::driven_cold(assembly, content.operating_point->supply) : std::nullopt;
+    return {.model = std::move(assembly.model), .coil = assembly.coil, .supply_drives = drives};
   } catch (const std::invalid_argument& fault) {
     throw text::InputError({.file = origin, .rule = fault.what()});
   }

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -20,7 +19,11 @@ struct Actuator {
   std::string origin;  ///< "finger.json"; "actuator" of one made in memory
 
   [[nodiscard]] bool is_design() const { return std::holds_alternative<actuator::Design>(content.content); }
-  using Driven = std::pair<actuator::Model, std::optional<actuator::CoilElectrics>>;
+  struct Driven {
+    actuator::Model model;
+    std::optional<actuator::CoilElectrics> coil{};  ///< of a design
+    std::optional<double> supply_drives{};          ///< A, coils at 20 degC, where its operating point has a voltage
+  };
   /// The model, or that of the design with its coil. Throws InputError where it cannot be built.
   [[nodiscard]] Driven driven() const;
 };

@@ -19,6 +19,7 @@
 #include "coilwright/results/asked_diagnosis.hpp"
 #include "coilwright/results/diagnosis_files.hpp"
 #include "coilwright/results/page_file.hpp"
+#include "coilwright/text/output/file_name.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "python/actuator.hpp"
 #include "python/bindings.hpp"
@@ -159,6 +160,10 @@ void bind_diagnosis(py::module_& module) {
              py::arg("seed"), py::arg("threads"));
   module.def("twin", &twin, py::arg("actuator"), py::arg("planned"), py::arg("hidden"), py::arg("seed"),
              py::arg("effects"));
+  module.def("fault_of_file_names", [](const std::vector<std::string>& names) {
+    const auto fault = text::fault_of_file_names(names);
+    return fault ? std::optional(std::pair(fault->index, fault->rule)) : std::nullopt;
+  });
   module.def("report", &report, py::arg("folder"), py::arg("file"));
 }
 

@@ -9,6 +9,7 @@
 
 #include "coilwright/formats/actuator/pair_file.hpp"
 #include "coilwright/magnetics/forces.hpp"
+#include "coilwright/report/pair_remarks.hpp"
 #include "coilwright/text/input_text.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "python/bindings.hpp"
@@ -77,13 +78,16 @@ bool needs_room(const std::vector<Body>& bodies) {
 }
 
 // Six numbers a body: the force, N, and the torque, N mm.
-void fill(const Pair& pair, const Poses& poses, std::size_t first, std::size_t last, double* out) {
+void fill(const Pair& pair, const Poses& poses, std::size_t first, std::size_t last, double* out,
+          report::PairRemarks& remarks) {
   std::vector<Body> bodies = pair.file.bodies_at(pair.file.poses.front());
   const bool check = needs_room(bodies);
   for (std::size_t i = first; i < last; ++i) {
     bodies.back().pose = poses.at(i);
     if (check) formats::require_apart(pair.file, bodies, i == 0 ? 0 : bodies.size() - 1, i, pair.origin);
     const magnetics::Forces forces = formats::forces_on(pair.file, bodies, i, pair.origin);
+    remarks.add(bodies, i);
+    remarks.add(forces);
     for (const magnetics::Wrench& each : forces.on) {
       for (int k = 0; k < 3; ++k) *out++ = each.force[k];
       for (int k = 0; k < 3; ++k) *out++ = each.torque[k] * millimetres;
@@ -97,13 +101,15 @@ Array force(const Pair& pair, const Array& positions, const Array& axes) {
   const std::size_t bodies = pair.file.bodies.size();
   Array out({poses.count(), bodies, std::size_t{6}});
   double* place = out.mutable_data();
+  report::PairRemarks remarks(pair.file);
   for (std::size_t first = 0; first < poses.count(); first += between_signals) {
     {
       const py::gil_scoped_release others_run;
-      fill(pair, poses, first, std::min(poses.count(), first + between_signals), place + first * bodies * 6);
+      fill(pair, poses, first, std::min(poses.count(), first + between_signals), place + first * bodies * 6, remarks);
     }
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   }
+  for (const std::string& sentence : remarks.sentences()) warn(pair.origin + ": " + sentence);
   return out;
 }
 

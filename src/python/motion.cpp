@@ -11,6 +11,7 @@
 
 #include "coilwright/formats/simulation/commanded_input_file.hpp"
 #include "coilwright/formats/simulation/motion_table.hpp"
+#include "coilwright/report/simulation/motion_remarks.hpp"
 #include "coilwright/simulation/initial_state.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "python/actuator.hpp"
@@ -28,6 +29,7 @@ struct Command {
   CommandedInput input;
   simulation::Start start{};
   std::optional<std::string> recorded_in{};  // what errors call it; nothing: it is taken as it is
+  std::string table{};                       // at whose samples alone the motion is shown; empty: at others, too
 };
 
 struct Motion {
@@ -52,16 +54,16 @@ Command sine(const std::array<double, 3>& shape, double duration, double interva
 Command table(const std::string& text, const std::string& origin, std::optional<double> interval, bool as_written) {
   CommandedInput input = formats::parse_commanded_input(text, origin);
   return {.input = interval ? simulation::sampled_at_least_every(input, *interval) : std::move(input),
-          .recorded_in = as_written ? std::nullopt : std::optional(origin)};
+          .recorded_in = as_written ? std::nullopt : std::optional(origin),
+          .table = interval ? std::string() : origin};
 }
 
 struct Stopped {};
 
-simulation::RecordedMotion record(const Actuator::Driven& driven, const Command& command, const std::string& origin,
-                                  const std::stop_token& stop) {
-  const auto& [model, coil] = driven;
-  const ModelInput input = simulation::model_input(model, command.input);
-  if (command.recorded_in) formats::require_bearable(command.input, input, coil, *command.recorded_in);
+simulation::RecordedMotion record(const Actuator::Driven& driven, const Command& command, const ModelInput& input,
+                                  const std::string& origin, const std::stop_token& stop) {
+  const actuator::Model& model = driven.model;
+  if (command.recorded_in) formats::require_bearable(command.input, input, driven.coil, *command.recorded_in);
   const auto heed_stop = [&](double) {
     if (stop.stop_requested()) throw Stopped{};
   };
@@ -81,10 +83,18 @@ py::array_t<double> rows_of(const Command& command, const simulation::RecordedMo
 Motion simulate(const Actuator& actuator, const Command& command) {
   const Actuator::Driven driven = actuator.driven();
   try {
-    const simulation::RecordedMotion motion =
-        interruptible([&](const std::stop_token& stop) { return record(driven, command, actuator.origin, stop); });
-    std::vector<std::string> columns = formats::columns_of_motion(command.input, driven.first.joints());
+    const ModelInput input = simulation::model_input(driven.model, command.input);
+    const simulation::RecordedMotion motion = interruptible(
+        [&](const std::stop_token& stop) { return record(driven, command, input, actuator.origin, stop); });
+    std::vector<std::string> columns = formats::columns_of_motion(command.input, driven.model.joints());
     py::array_t<double> rows = rows_of(command, motion, columns.size());
+    for (const std::string& remark : report::motion_remarks({.model = driven.model,
+                                     .input = input,
+                                     .motion = motion,
+                                     .table = command.table,
+                                     .cure = "interval=0.002",
+                                     .supply_drives = driven.supply_drives}))
+      warn(remark);
     return {.columns = std::move(columns), .rows = std::move(rows)};
   } catch (const std::invalid_argument& misfit) {
     throw text::InputError({.file = actuator.origin, .rule = misfit.what()});

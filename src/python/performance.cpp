@@ -1,5 +1,6 @@
 #include "python/performance.hpp"
 
+#include <fmt/format.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -9,10 +10,15 @@
 
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
+#include "coilwright/report/simulation/correction_text.hpp"
+#include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
 #include "coilwright/simulation/choice_effects.hpp"
+#include "coilwright/simulation/correction_reach.hpp"
 #include "coilwright/simulation/part_limits.hpp"
+#include "coilwright/simulation/pressed_joints.hpp"
 #include "coilwright/text/input_error.hpp"
+#include "coilwright/text/one_line.hpp"
 #include "python/actuator.hpp"
 #include "python/bindings.hpp"
 #include "python/json_objects.hpp"
@@ -56,9 +62,36 @@ text::Json json_of(const Performance& performance) {
   return out.set("part_limits", formats::to_json(simulation::part_limits(performance.evaluated()->view())));
 }
 
+std::vector<simulation::CorrectionReach> reach_of(const simulation::EvaluatedDesign& design) {
+  return simulation::correction_reach(design.assembly.model, design.performance.cold, design.point.current);
+}
+
 std::string text_of(const Performance& performance) {
   if (const auto* lumped = performance.lumped()) return report::to_text(lumped->motion, lumped->current);
-  return report::to_text(performance.evaluated()->view());
+  const simulation::EvaluatedDesign& design = *performance.evaluated();
+  return report::to_text(simulation::part_limits(design.view())) + report::doubts_text(design.design) + '\n' +
+         report::to_text(design.view()) + report::to_text(reach_of(design));
+}
+
+// What the program says of it beside its numbers. Of a limit that is broken without the numbers, so that a loop over
+// currents is told once and not at each of them.
+void warn_of(const Performance& performance, const Actuator& actuator) {
+  const auto say = [&](std::string_view sentence) { warn(fmt::format("{}: {}", actuator.origin, sentence)); };
+  if (const auto* lumped = performance.lumped()) {
+    const auto& model = std::get<actuator::Model>(actuator.content.content);
+    const std::string text =
+        simulation::pressed_joints_text(simulation::pressed_joints(model, lumped->motion.rest_angles),
+                                        simulation::pressed_joints(model, lumped->motion.steady_angles));
+    if (!text.empty()) say(text);
+    return;
+  }
+  const simulation::EvaluatedDesign& design = *performance.evaluated();
+  for (const simulation::PartLimit& limit : simulation::broken_part_limits(design.view()))
+    if (!limit.conditional) say(fmt::format("breaks the limit of {}: {}", limit.quantity, limit.consequence));
+  for (const std::string& line : text::lines_of(report::doubts_text(design.design)))
+    if (!line.empty()) say(line);
+  for (const simulation::CorrectionReach& each : reach_of(design))
+    if (each.is_beyond()) return say(report::to_text(reach_of(design)).substr(1));
 }
 
 std::vector<simulation::ChoiceEffect> choices_of(const Performance& performance) {
@@ -111,7 +144,9 @@ void bind_performance(py::module_& module) {
                          .supply_resistance = number("supply_resistance"),
                          .supply_voltage = number("supply_voltage")};
     if (in_series) words.wiring = *in_series ? actuator::Wiring::series : actuator::Wiring::parallel;
-    return evaluate(actuator, words);
+    Performance performance = evaluate(actuator, words);
+    warn_of(performance, actuator);
+    return performance;
   });
 }
 

@@ -6,13 +6,14 @@ import json
 import os
 import pathlib
 import tempfile
-from collections.abc import Callable, Iterator, Mapping, Sequence
+import warnings
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple, Optional, Union
 
 from coilwright import _core
 from coilwright._actuator import Actuator, Path
 from coilwright._effects import Effect, catalogue
-from coilwright._errors import InputError, core_of
+from coilwright._errors import InputError, core_of, number
 from coilwright._results import Answer
 from coilwright._tables import Columns, Table, csv_text
 
@@ -34,12 +35,14 @@ class Records:
         self.dataset = dict(dataset)
         """The content of dataset.json."""
         self._files = dict(files)
+        _require_file_names(self._files)
 
     @classmethod
     def of(cls, runs: Mapping[str, Columns], *, name: str = "records",
            about: Mapping[str, Mapping[str, Any]] = {}, **keys: Any) -> Records:
         """Records of arrays: for each run its columns by name, each with its unit at its end ("time_s", "current_A",
-        "bending_angle_deg"). about: of a run, the keys of an element of "runs" ({"kind": .., "role": .., "sigma": ..});
+        "bending_angle_deg"); a time may be of any kind (docs/python.md), and of what is measured a sample that is masked
+        or NaN is absent. A run is called by a plain file name, with or without .csv. about: of a run, the keys of an element of "runs" ({"kind": .., "role": .., "sigma": ..});
         a motion to fit is meant where nothing is said. keys: those of the data set ("tolerances", "calibrate", ..).
 
         >>> import numpy as np, coilwright as cw
@@ -52,9 +55,12 @@ class Records:
         unknown = set(about) - set(runs)
         if unknown:
             raise ValueError(f"about: has no run called {', '.join(sorted(unknown))}")
+        _require_file_names(runs)
         entries = [{**_usual_entry(run, columns), **about.get(run, {})} for run, columns in runs.items()]
-        return cls({"format": "measured-data/1", "name": name, **keys, "runs": entries},
-                   {entry["file"]: csv_text(columns) for entry, columns in zip(entries, runs.values())})
+        _require_file_names([entry["file"] for entry in entries])
+        files = {entry["file"]: csv_text(columns, entry["file"], ("time", entry.get("drive", "time")))
+                 for entry, columns in zip(entries, runs.values())}
+        return cls({"format": "measured-data/1", "name": name, **keys, "runs": entries}, files)
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._files)
@@ -76,6 +82,16 @@ class Records:
             actuator.save(place / "actuator.json")
             dataset = {**dataset, "actuator": "actuator.json"}
         (place / "dataset.json").write_text(json.dumps(dataset, indent=2) + "\n", encoding="utf-8")
+
+
+def _require_file_names(names: Iterable[str]) -> None:
+    """Raises InputError for names that cannot be those of the records in a folder beside dataset.json."""
+    ours = ["dataset.json", "actuator.json"]
+    all = [*ours, *(str(name) for name in names)]
+    fault = _core.fault_of_file_names(all)
+    if fault is not None:
+        index, rule = fault
+        raise InputError(f"records: a run {rule}; got {all[index]!r}", "records", "", rule, all[index])
 
 
 def _usual_entry(run: str, columns: Columns) -> dict[str, Any]:
@@ -200,7 +216,10 @@ def diagnose(records: Union[Records, Path], actuator: Union[Actuator, Path, None
                                   as_written, catalogue(effects), progress)
         except InputError as error:
             raise _without(work, error) from None
-    return Diagnosis(core, effects)
+    diagnosis = Diagnosis(core, effects)
+    for each in diagnosis.to_dict()["warnings"]:
+        warnings.warn(f"{each['run']}: {each['text']}", stacklevel=2)
+    return diagnosis
 
 
 def _without(work: str, error: InputError) -> InputError:
@@ -253,13 +272,13 @@ def twin(actuator: Actuator, experiment: Union[Mapping[str, Any], Path], hidden:
     >>> len(cw.twin(finger, "configs/experiments/paper.json", {"dry_friction": {"torque_Nmm": 0.6}}, seed=7)) > 3
     True
     """
-    words = [f"{id}:{','.join(f'{key}={float(value)!r}' for key, value in numbers.items())}".rstrip(":")
+    words = [f"{id}:{','.join(f'{key}={number(key, value)!r}' for key, value in numbers.items())}".rstrip(":")
              for id, numbers in hidden.items()]
     return Records(*_core.twin(core_of(actuator, Actuator), _planned(experiment, noise), words, seed, catalogue(effects)))
 
 
 def _planned(experiment: Union[Mapping[str, Any], Path], noise: Mapping[str, float]) -> _core.Planned:
-    words = [f"{name}={float(value)!r}" for name, value in noise.items()]
+    words = [f"{name}={number(name, value)!r}" for name, value in noise.items()]
     if isinstance(experiment, Mapping):
         return _core.Planned(json.dumps(experiment, allow_nan=False), "experiment", words)
     origin = os.fspath(experiment)

@@ -1,6 +1,9 @@
 """What Coilwright raises beside Python's own exceptions, and arguments of another type than they must have."""
 
+import datetime
 from typing import Any, Optional, SupportsIndex
+
+import numpy as np
 
 
 class InputError(ValueError):
@@ -55,11 +58,16 @@ class NoPerformance(RuntimeError):
 
 
 def number(name: str, value: Any) -> float:
-    """An argument as a number. Raises TypeError with its name where it is none."""
+    """An argument as a number. Raises TypeError with its name where it is none: also for a duration of NumPy's, of which
+    float() would forget the unit."""
     try:
+        if isinstance(value, (np.timedelta64, np.datetime64)) or value is np.ma.masked:
+            raise TypeError
         return float(value)
     except (TypeError, ValueError):
-        raise TypeError(f"{name}: must be a number; got {value!r}") from None
+        is_duration = isinstance(value, (np.timedelta64, datetime.timedelta))
+        cure = " (of a duration: / numpy.timedelta64(1, 's'))" if is_duration else ""
+        raise TypeError(f"{name}: must be a number{cure}; got {value!r}") from None
 
 
 def whole(name: str, value: Optional[int]) -> Optional[int]:

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from coilwright import _core
 from coilwright._actuator import Path
+from coilwright._arrays import floats
 from coilwright._errors import core_of
 
 
@@ -91,7 +92,8 @@ def force(pair: Pair, positions_mm: Optional[ArrayLike] = None, axes: Optional[A
 
     positions_mm: (poses, 3), of its centre, mm; without them the poses of the pair. axes: (poses, 3) or (3), directions of its
     axis, of any length; without them as in the first pose of the pair. As fast as C++ pose by pose; other threads run
-    meanwhile, and Ctrl-C is heard. Raises InputError, also for magnets in one place.
+    meanwhile, and Ctrl-C is heard. Raises InputError, also for magnets in one place; warns of coils and axial magnets in
+    one place, and of a plate that is no mirror, as the program does.
 
     >>> import numpy as np, coilwright as cw
     >>> magnet = {"magnet": {"radius_mm": 5, "length_mm": 4, "remanence_T": 1.2}}
@@ -115,7 +117,7 @@ def force(pair: Pair, positions_mm: Optional[ArrayLike] = None, axes: Optional[A
 
 
 def _rows(name: str, values: ArrayLike, count: Optional[int]) -> NDArray[np.float64]:
-    rows = np.ascontiguousarray(values, dtype=float)
+    rows = np.ascontiguousarray(floats(name, values, whole=True))
     if count is not None and rows.shape == (3,):
         rows = np.tile(rows, (count, 1))
     if rows.ndim != 2 or rows.shape[1] != 3 or (count is not None and len(rows) != count) or len(rows) == 0:

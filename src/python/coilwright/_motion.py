@@ -59,11 +59,12 @@ def simulate(actuator: Actuator, *, step: Optional[float] = None, sine: Optional
 
     step: current in every coil from time 0 on, A; the actuator starts at rest without current. sine: amplitude (A),
     offset (A) and frequency (Hz) of the current; it starts at rest under the first sample. input: columns of arrays (or
-    a CSV file) with time_s and current_A, or current1_A.., voltage_V, torque1_Nm..; held between samples; likewise.
+    a CSV file) with time_s and current_A, or current1_A.., voltage_V, torque1_Nm..; held between samples; likewise. A
+    time may be of any kind (docs/python.md); none of these numbers may be masked or absent.
     duration: of a step or a sine, s. interval: between samples, s (0.002); of an input the longest between samples.
     as_written: take an input also where its current is one that no coil carries, as milliamperes for amperes.
     bending_angle_deg is what the camera shows, if the actuator declares one; the rest as it is. Raises InputError, and
-    RuntimeError with the reason where there is no motion.
+    RuntimeError with the reason where there is no motion; warns of what the program says on standard error.
 
     >>> import numpy as np, coilwright as cw
     >>> time = np.linspace(0, 0.2, 101)
@@ -91,4 +92,5 @@ def _command(step: Optional[float], sine: Optional[tuple[float, float, float]], 
     if isinstance(input, (str, os.PathLike)):
         return _core.Command.table(_core.read_text(os.fspath(input)), os.fspath(input), interval, as_written)
     assert input is not None
-    return _core.Command.table(csv_text(input), "input", interval, as_written)
+    text = csv_text(input, "input", ("time", "current", "voltage", "torque"))
+    return _core.Command.table(text, "input", interval, as_written)

@@ -60,7 +60,7 @@ class Performance(Quantities):
 
     @property
     def text(self) -> str:
-        """What the program prints of it, a line a quantity."""
+        """What the program prints of it: the limits of its parts, and a line a quantity."""
         return self._core.text
 
     def _repr_html_(self) -> str:
@@ -92,7 +92,8 @@ def evaluate(actuator: Actuator, *, current: Optional[float] = None, duty: Optio
     heat alone. grasp_opening_deg, grasp_height_mm: where grasp forces are taken. wiring: "parallel" or "series".
     supply_resistance: inside the supply and its leads, ohm. supply_voltage: of the supply without load, V.
     What is None is as the actuator's operating point has it, which `size` writes. Other threads run meanwhile. Raises
-    InputError for a design that cannot be built, NoPerformance with the reason where it has no performance.
+    InputError for a design that cannot be built, NoPerformance with the reason where it has no performance. Warns of each
+    limit of coils, magnets, wire and supply that is broken, once a line of yours.
 
     >>> import coilwright as cw
     >>> finger = cw.Actuator.prototype()

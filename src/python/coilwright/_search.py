@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coilwright import _core
+from coilwright._arrays import floats
 from coilwright._results import Listener, _words
 
 Range = Union[tuple[float, float], tuple[float, float, float], range]
@@ -80,13 +81,13 @@ def _batch(function: Callable[[Numbers], Numbers], inputs: list[str], outputs: l
            vectorised: bool) -> Callable[[NDArray[np.float64]], NDArray[np.float64]]:
     def together(points: NDArray[np.float64]) -> NDArray[np.float64]:
         answers = _mapping(function(dict(zip(inputs, points.T))), outputs)
-        return np.column_stack([np.broadcast_to(answers[name], len(points)) for name in outputs])
+        return np.column_stack([np.broadcast_to(floats(name, answers[name]), len(points)) for name in outputs])
 
     def one_by_one(points: NDArray[np.float64]) -> NDArray[np.float64]:
         rows = []
         for point in points.tolist():
             answer = _mapping(function(dict(zip(inputs, point))), outputs)
-            rows.append([float(answer[name]) for name in outputs])
+            rows.append([float(floats(name, answer[name]).item()) for name in outputs])
         return np.array(rows)
 
     return together if vectorised else one_by_one

@@ -11,21 +11,29 @@ from typing import Any, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from coilwright._arrays import column
+from coilwright._errors import InputError
+
 Columns = Mapping[str, ArrayLike]
 """Columns by name, as a dict of arrays or a DataFrame has them; names end in their unit."""
 Value = Union[float, str, None]
 
 
-def csv_text(columns: Columns) -> str:
-    """The columns as CSV: with every digit, a nan as an empty field."""
-    names = list(columns)
-    arrays = [np.asarray(columns[name], dtype=float).ravel().tolist() for name in names]
+def csv_text(columns: Columns, file: str, whole: tuple[str, ...]) -> str:
+    """The columns as CSV: with every digit, and an empty field where a number is absent. whole: what the names of columns
+    begin with in which none may be. Raises InputError of the file, ValueError for columns that differ in length."""
+    try:
+        arrays = [column(name, columns[name], whole=name.startswith(whole)).tolist() for name in columns]
+    except InputError as error:
+        raise InputError(f"{file}: {error}", file, error.file, error.rule, error.value) from None
     if len({len(each) for each in arrays}) > 1:
         raise ValueError("columns must have one length; got " +
-                         ", ".join(f"{name}: {len(each)}" for name, each in zip(names, arrays)))
-    lines = [",".join(names)]
-    lines += [",".join("" if value != value else repr(value) for value in row) for row in zip(*arrays)]
-    return "\n".join(lines) + "\n"
+                         ", ".join(f"{name}: {len(each)}" for name, each in zip(columns, arrays)))
+    out = io.StringIO()
+    lines = csv.writer(out, lineterminator="\n")
+    lines.writerow(columns)
+    out.writelines(",".join("" if value != value else repr(value) for value in row) + "\n" for row in zip(*arrays))
+    return out.getvalue()
 
 
 class Table:

@@ -136,7 +136,7 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
              text::Rule::between(0.0, 1e6), "Resistance inside the supply and its leads, Ohm. Default: likewise, or 0");
   add_number(*command, "--supply-voltage-V,--supply-voltage", options->said.supply_voltage,
              text::Rule::between(1e-6, 1e6),
-             "Voltage of the supply without load, V; asks for the current that it drives at most");
+             "Voltage of the supply without load, V; says whether it drives the current, and which at most");
   add_json_option(*command, options->json);
   add_report_file_option(*command, options->page, options->force);
   command->footer(

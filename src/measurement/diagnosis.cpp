@@ -121,11 +121,17 @@ void append(std::vector<Value>& to, const std::vector<Value>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-// Sets outliers aside, as the declared model shows them once it is recalibrated, and once more without what is
-// suspected then. Far from the noise the runs keep the model error at which that was fitted: the comparison begins
-// there.
-void set_outliers_aside_twice(std::vector<replay::PreparedRun>& runs, const replay::DeclaredModel& declared) {
-  const auto fitted = identification::recalibrated_at_its_error(runs, declared);
+// Takes the noise anew from where the declared model stands still once it is recalibrated, and sets outliers aside, as
+// that model shows them, and once more without what is suspected then. Far from the noise the runs keep the model error
+// at which that was fitted: the comparison begins there.
+void set_outliers_aside_twice(std::vector<replay::PreparedRun>& runs, const replay::DeclaredModel& declared,
+                              std::span<const data::Run> still, std::span<const data::Run> recorded) {
+  auto fitted = identification::recalibrated_at_its_error(runs, declared);
+  const actuator::Model model = fitted.hypothesis.model_at(fitted.fit.values);
+  std::vector<Eigen::VectorXd> shown;
+  for (const fit::RunFit& each : fitted.fit.runs) shown.push_back(each.predictions);
+  if (replay::give_recorded_noise(runs, still, recorded, model, shown))
+    fitted = identification::recalibrated_at_its_error(runs, declared);
   const auto set_aside = [&](const fit::Fit& found) {
     (void)fit::set_outliers_aside(runs, found);
     fit::weigh_input_errors(runs, fitted.hypothesis, found.values, &found);
@@ -178,7 +184,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   std::vector<replay::PreparedRun> runs;
   for (const data::Run& run : usable.runs) {
     runs.push_back(replay::prepare_run(run, declared, nominal));
-    replay::give_recorded_noise(runs.back(), data.still, usable.runs);
+    replay::give_recorded_noise(runs.back(), data.still, usable.runs, nominal);
     runs.back().simulations = timer.simulations();
     runs.back().known_fits = options.known_fits;
   }
@@ -202,7 +208,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   // What is wrong with the records is said before the work: its answer would come to nothing.
   if (options.warn)
     for (const data::Warning& each : out.warnings) options.warn(each);
-  set_outliers_aside_twice(runs, declared);
+  set_outliers_aside_twice(runs, declared, data.still, usable.runs);
   timer.end_phase("noise and outliers");
 
   out.held_exact = declared.held_exact;

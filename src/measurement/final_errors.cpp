@@ -179,7 +179,7 @@ FinalErrors::FinalErrors(const data::SealedRuns& runs, const replay::DeclaredMod
   std::vector<PreparedRun> prepared_runs;
   for (const data::Run& run : runs.runs_) {
     PreparedRun& prepared = prepared_runs.emplace_back(replay::prepare_run(run, declared, nominal));
-    replay::give_recorded_noise(prepared, still, {});
+    replay::give_recorded_noise(prepared, still, {}, nominal);
     prepared.simulations = simulations;
     prepared.model_error = models.after.fit.model_error;
     const std::span<PreparedRun> alone(&prepared, 1);

@@ -32,7 +32,7 @@ LinearisedRecords::LinearisedRecords(const Experiment& experiment, const replay:
   recorded_ = data::usable_runs(fitted).runs;
   for (const data::Run& run : recorded_) {
     prepared_.push_back(replay::prepare_run(run, rig, nominal));
-    replay::give_recorded_noise(prepared_.back(), still, recorded_);
+    replay::give_recorded_noise(prepared_.back(), still, recorded_, nominal);
     prepared_.back().simulations = simulations;
   }
   fit::weigh_input_errors(prepared_, as_declared, as_declared.start(), nullptr);
@@ -43,6 +43,9 @@ LinearisedRecords::LinearisedRecords(const Experiment& experiment, const replay:
     return std::move(*fitted_locally);
   };
   fit::Fit at_truth = evaluate();
+  std::vector<Eigen::VectorXd> shown;
+  for (const fit::RunFit& each : at_truth.runs) shown.push_back(each.predictions);
+  if (replay::give_recorded_noise(prepared_, still, recorded_, nominal, shown)) at_truth = evaluate();
   // It also takes the noise anew that a run's own record told; residuals over two different noises would differ by
   // more than any effect changes.
   (void)fit::set_outliers_aside(prepared_, at_truth);

@@ -80,8 +80,9 @@ TEST(LinearisedRecords, FitDeclaredNumbersToAChangeAsAFitOfItsRecordsDoes) {
   const fit::Hypothesis true_one(finger().model, effects);
   std::vector<replay::PreparedRun> runs;
   for (const data::Run& run : recorded) {
-    runs.push_back(replay::prepare_run(run, finger().model, declared.model_at(declared.start())));
-    replay::give_recorded_noise(runs.back(), {}, recorded);
+    const actuator::Model model = declared.model_at(declared.start());
+    runs.push_back(replay::prepare_run(run, finger().model, model));
+    replay::give_recorded_noise(runs.back(), {}, recorded, model);
   }
   const auto fitted = fit::fit({.hypothesis = &declared, .runs = runs, .start = declared.start()});
   const auto truth = fit::evaluate_at({.hypothesis = &true_one, .runs = runs, .start = true_one.start()});

@@ -12,6 +12,7 @@
 #include "coilwright/simulation/initial_state.hpp"
 #include "coilwright/simulation/transient.hpp"
 #include "coilwright/thermal/transient.hpp"
+#include "measurement/replay/input_rows.hpp"
 #include "measurement/replay/input_whitener.hpp"
 #include "measurement/replay/window_input.hpp"
 
@@ -182,6 +183,20 @@ std::optional<Trajectory> simulated(const Model& model, const ModelInput& input,
   return out;
 }
 
+// The first row of an input is held for so long before it, with rows that are dense enough.
+void begin_earlier(ModelInput& input, double by) {
+  const double first = input.times.front();
+  const auto rows = static_cast<std::size_t>(std::ceil(by / densest_needed));
+  const auto prepend = [rows](auto& values, const auto& value) { values.insert(values.begin(), rows, value); };
+  prepend(input.times, first);
+  for (std::size_t i = 0; i < rows; ++i)
+    input.times[i] -= by * static_cast<double>(rows - i) / static_cast<double>(rows);
+  prepend(input.currents, CoilCurrents(input.currents.front()));
+  if (!input.joint_torques.empty()) prepend(input.joint_torques, JointVector(input.joint_torques.front()));
+  if (!input.straight.empty()) prepend(input.straight, char{0});
+  if (!input.passed.empty()) prepend(input.passed, char{0});
+}
+
 std::optional<State> start_under(const Model& model, const ModelInput& input, LocalValues local,
                                  const actuator::InternalStates& internal) {
   if (!local.numbers->has_initial_state()) return simulation::equilibrium_at_first_input(model, input);
@@ -219,11 +234,14 @@ State Trajectory::at(double time) const {
 
 std::optional<Trajectory> simulate_window(const Model& model, const Window& window, LocalValues local,
                                           const actuator::InternalStates& internal, const Trajectory* nearby) {
-  const bool as_planned = window.edges.empty() && window.bend.times.empty() && window.errors.empty();
-  const ModelInput driven = as_planned ? ModelInput{}
-                                       : as_driven(window, {.edges = local.numbers->edge_numbers(local.values),
-                                                            .bend = local.numbers->bend(local.values),
-                                                            .errors = local.numbers->input_errors(local.values)});
+  // An initial state is of what is shown first, which is the motion a delay earlier.
+  const double earlier = local.numbers->has_initial_state() ? std::max(model.delay(), 0.0) : 0.0;
+  const bool as_planned = earlier == 0.0 && window.edges.empty() && window.bend.times.empty() && window.errors.empty();
+  ModelInput driven = as_planned ? ModelInput{}
+                                 : as_driven(window, {.edges = local.numbers->edge_numbers(local.values),
+                                                      .bend = local.numbers->bend(local.values),
+                                                      .errors = local.numbers->input_errors(local.values)});
+  if (earlier > 0.0) begin_earlier(driven, earlier);
   const ModelInput& input = as_planned ? window.input : driven;
   const std::optional<State> start = start_under(model, input, local, internal);
   return start ? simulated(model, input, *start, nearby) : std::nullopt;

@@ -27,9 +27,10 @@ struct LocalValues {
   std::span<const double> values{};
 };
 
-/// Where a window starts: in its local initial state, or in the equilibrium under its first input where it has none. If
-/// `internal` is empty, internal states have the values with which a recorded run begins. Nothing if there is no
-/// equilibrium.
+/// Where a window starts: in its local initial state, which is that of what its instruments show first (where they are
+/// late, its motion begins so much earlier, under its first input), or in the equilibrium under its first input where
+/// it has none. If `internal` is empty, internal states have the values with which a recorded run begins. Nothing if
+/// there is no equilibrium.
 [[nodiscard]] std::optional<simulation::State> start_of_window(const actuator::Model& model, const Window& window,
                                                                LocalValues local,
                                                                const actuator::InternalStates& internal);

@@ -75,6 +75,35 @@ TEST(Prediction, FallsAfterAColdStartAndRestsAfterAWarmOne) {
   }
 }
 
+// What is shown first is where a free motion is fitted to start: a late camera shows the same one, from its first
+// picture on. The start moves, so that a motion that began there would stand still in the pictures before.
+TEST(Prediction, OfAFreeMotionIsTheSameHoweverLateTheCamera) {
+  actuator::ModelSpec spec = actuator::assemble_or_throw(actuator::paper_finger()).model.nominal_spec();
+  data::Run run = held(data::Start::free);
+  for (std::vector<double>& row : run.inputs) row = {0.0};
+  const auto shown_after = [&](double delay) {
+    spec.effects = {{.kind = actuator::standard_effects().find("measurement_delay"), .values = {delay}}};
+    const Model model(spec);
+    const DeclaredModel declared{};
+    const PreparedRun record = prepare_run(run, declared, model);
+    const LocalNumbers numbers(record, record.windows.front());
+    std::vector<double> start(numbers.size(), 0.0);
+    for (int j = 0; j < model.joints(); ++j) {
+      start[static_cast<std::size_t>(j)] = 0.1;
+      start[static_cast<std::size_t>(model.joints() + j)] = 3.0;
+    }
+    const LocalValues local{.numbers = &numbers, .values = start};
+    const auto motion = simulate_window(model, record.windows.front(), local, {});
+    return observed_values(model, record, record.windows.front(), motion.value(), local);
+  };
+  // The integrator's error, and that of a cubic between rows of 2 ms.
+  constexpr double error = 1e-5;  // rad
+  const Eigen::VectorXd in_time = shown_after(0.0);
+  EXPECT_GT((in_time.array() - in_time[0]).abs().maxCoeff(), 0.1);
+  for (const double delay : {0.001, 0.05})
+    EXPECT_LT((shown_after(delay) - in_time).lpNorm<Eigen::Infinity>(), error) << delay;
+}
+
 // A prediction of a grasp on the finger without heat.
 double grasp(std::vector<double> openings, std::vector<double> heights) {
   const Model model = actuator::assemble_or_throw(actuator::paper_finger()).model;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <string_view>
 
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
@@ -123,6 +125,17 @@ std::string hinted_text(const Diagnosis& diagnosis) {
   return text;
 }
 
+// Effects of which these records tell nothing.
+std::string not_tested_text(const Diagnosis& diagnosis) {
+  constexpr std::size_t a_line = 5;
+  const std::vector<std::string> all = ids(diagnosis.odds.not_tested());
+  if (all.empty()) return {};
+  std::string text = "  Not tested by these records, in which they would change nothing, and not ruled out:\n";
+  for (std::size_t i = 0; i < all.size(); i += a_line)
+    text += fmt::format("    {}\n", fmt::join(std::span(all).subspan(i, std::min(a_line, all.size() - i)), ", "));
+  return text;
+}
+
 }  // namespace
 
 std::string compared_text(const Diagnosis& diagnosis) {
@@ -184,10 +197,10 @@ std::string rivals_text(const Diagnosis& diagnosis) {
         "  More than what is reported is there, most probably, but moves nothing by more than a tenth of the noise.\n";
   if (!diagnosis.effects.empty() && diagnosis.indistinguishable.empty() && near.empty() && alive.empty())
     text += "  Nothing else that was tried explains these data as well.\n";
-  if (!diagnosis.odds.ruled_out.empty())
+  if (const std::size_t ruled_out = diagnosis.odds.ruled_out.size() - diagnosis.odds.not_tested().size())
     text += fmt::format("  Without a probability: {}, for reasons in diagnosis.json (ruled_out).\n",
-                        counted(diagnosis.odds.ruled_out.size(), "effect"));
-  return text + hinted_text(diagnosis);
+                        counted(ruled_out, "effect"));
+  return text + not_tested_text(diagnosis) + hinted_text(diagnosis);
 }
 
 }  // namespace coilwright::report

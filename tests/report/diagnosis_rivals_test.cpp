@@ -53,6 +53,20 @@ TEST(DiagnosisRivals, MarkThatOfNoEffectWhereItIsTheAnswer) {
                                                   "    coil_heating        0.250    0.9996         0.938\n"));
 }
 
+TEST(DiagnosisRivals, SayWhatTheRecordsDoNotTest) {
+  const std::string not_tested(identification::not_tested_remark);
+  Diagnosis diagnosis = example();
+  diagnosis.odds.ruled_out = {{.effects = {&coil_heating}, .remark = not_tested},
+                              {.effects = {&end_stop}, .remark = not_tested}};
+  EXPECT_THAT(rivals_text(diagnosis),
+              HasSubstr("  Not tested by these records, in which they would change nothing, and "
+                        "not ruled out:\n    coil_heating, end_stop\n"));
+  EXPECT_THAT(rivals_text(diagnosis), Not(HasSubstr("Without a probability")));
+  diagnosis.odds.ruled_out.back().remark = "no coils";
+  EXPECT_THAT(rivals_text(diagnosis), HasSubstr("  Without a probability: 1 effect, for reasons"));
+  EXPECT_THAT(rivals_text(diagnosis), HasSubstr("not ruled out:\n    coil_heating\n"));
+}
+
 TEST(DiagnosisRivals, SaysWhatIsHintedAtAndWhatThatWouldDo) {
   Diagnosis diagnosis = example();
   EXPECT_THAT(rivals_text(diagnosis), Not(HasSubstr("hint")));

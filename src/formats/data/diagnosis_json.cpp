@@ -275,7 +275,8 @@ Json to_json(const DiagnosisReport& report) {
   out.set("no_correction", text_or_null(diagnosis.correction.reason));
   out.set("residual", residual_json(diagnosis))
       .set("candidates", Json::list(diagnosis.odds.hypotheses, candidate_json))
-      .set("ruled_out", Json::list(diagnosis.odds.ruled_out, ruled_out_json));
+      .set("ruled_out", Json::list(diagnosis.odds.ruled_out, ruled_out_json))
+      .set("not_tested", Json::list(ids(diagnosis.odds.not_tested())));
   out.set("odds", odds_json(diagnosis));
   out.set("noise", Json::list(diagnosis.noise, noise_json))
       .set("warnings", Json::list(diagnosis.warnings, warning_json));

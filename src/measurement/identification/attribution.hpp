@@ -16,7 +16,7 @@ struct Attribution {
   Posterior posterior{};
   std::vector<WeighedFit> weighed{};  ///< of its hypotheses, in their order
   Answer answer{};
-  std::vector<const actuator::EffectKind*> kinds{};  ///< that were compared: those that fit this rig
+  std::vector<const actuator::EffectKind*> kinds{};  ///< that were compared: those that show in these records
   actuator::RigScale scale{};                        ///< from which they derive their initial guesses
 
   [[nodiscard]] bool has_effects() const { return !after.hypothesis.effects().empty(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace coilwright::measurement::identification {
 
@@ -23,6 +24,14 @@ Effect scaled_from_absent(Effect effect, double share) {
     effect.values[i] = std::clamp(absent + share * (effect.values[i] - absent), numbers[i].lower, numbers[i].upper);
   }
   return effect;
+}
+
+Effect at_share_of_strength(Effect effect, double share) {
+  const auto numbers = effect.kind->parameters();
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (numbers[i].absent && std::isinf(*numbers[i].absent) && numbers[i].choices.empty())
+      effect.values[i] = std::clamp(effect.values[i] / share, numbers[i].lower, numbers[i].upper);
+  return scaled_from_absent(std::move(effect), share);
 }
 
 bool is_absent(const Effect& effect) {

@@ -96,6 +96,7 @@ class HypothesisSearch {
     scale_ = rig_scale(runs_, nominal);
     ApplicableKinds applicable = applicable_kinds(request_.effects, nominal);
     kinds_ = std::move(applicable.kinds);
+    tested_ = kinds_;
     recalibrated_ = &before;
     if (request_.known) request_.known(before, first_impressions(before, {}, kinds_, request_.beliefs, 1.0));
     report(fmt::format("recalibrated: rms residual {:.3g} times the noise", before.whiteness.level));
@@ -117,12 +118,12 @@ class HypothesisSearch {
       return weighed.fits[place] == 0 ? before : all[weighed.fits[place] - 1];
     };
     Answer answer = answer_of(weighed.posterior);
-    Attribution out{.before = before, .after = fit_of(answer.reported), .kinds = kinds_, .scale = scale_};
+    Attribution out{.before = before, .after = fit_of(answer.reported), .kinds = tested_, .scale = scale_};
     for (const std::size_t rival : answer.rivals) out.rivals.push_back(fit_of(rival));
     out.posterior = std::move(weighed.posterior);
     out.weighed = std::move(weighed.weighed);
     out.answer = std::move(answer);
-    for (auto* part : {&on_some_only, &applicable.inapplicable, &failed_})
+    for (auto* part : {&on_some_only, &applicable.inapplicable, &failed_, &untested_})
       std::ranges::move(*part, std::back_inserter(out.posterior.ruled_out));
     return out;
   }
@@ -134,7 +135,8 @@ class HypothesisSearch {
 
   // All hypotheses of one effect, two, ..., until one leaves white noise or another effect is not worth its runs.
   std::vector<FittedHypothesis> compare_levels(const FittedHypothesis& before) {
-    const Screened screened = screen(before);
+    Screened screened = screen(before);
+    leave_out_untested(screened);
     HypothesesOfSize level = single_effects(before, screened);
     std::vector<FittedHypothesis> all;
     overdispersion_ = overdispersion_of(runs_, nearest_or(level, before));
@@ -180,6 +182,22 @@ class HypothesisSearch {
       level = std::move(next);
     }
     return all;
+  }
+
+  // What these records do not test is in no hypothesis. That it may be on the rig is not less probable for that: the
+  // priors of all others stay.
+  void leave_out_untested(Screened& screened) {
+    const std::vector<const EffectKind*> untested =
+        untested_kinds(request_.runs, *recalibrated_, screened, {.kinds = kinds_, .scale = scale_});
+    if (untested.empty()) return;
+    for (const EffectKind* kind : untested)
+      untested_.push_back({.effects = {kind}, .remark = std::string(not_tested_remark)});
+    const auto is_untested = [&](const EffectKind* kind) {
+      return std::ranges::find(untested, kind) != untested.end();
+    };
+    std::erase_if(tested_, is_untested);
+    std::erase_if(screened, [&](const ScreenedEffect& each) { return is_untested(each.guess.kind); });
+    report(fmt::format("{} not tested by these records", effects_text(untested.size())));
   }
 
   // An answer is there: see larger_hypotheses_with_weight.
@@ -272,13 +290,13 @@ class HypothesisSearch {
   }
 
   [[nodiscard]] Screened screen(const FittedHypothesis& base) const {
-    return screen_effects(runs_, base, {.kinds = kinds_, .scale = scale_});
+    return screen_effects(runs_, base, {.kinds = tested_, .scale = scale_});
   }
 
   // Every effect alone.
   [[nodiscard]] HypothesesOfSize single_effects(const FittedHypothesis& base, const Screened& screened) {
     std::vector<PlannedExtension> planned;
-    for (const EffectKind* kind : kinds_) {
+    for (const EffectKind* kind : tested_) {
       PlannedExtension each = one_more(base, kind, screened, search_effort.own_starts);
       const auto known = std::ranges::find(singles_, kind, &Effect::kind);
       if (known != singles_.end()) {
@@ -317,7 +335,7 @@ class HypothesisSearch {
 
   [[nodiscard]] std::vector<const EffectKind*> kinds_beside(const FittedHypothesis& base) const {
     std::vector<const EffectKind*> out;
-    std::ranges::copy_if(kinds_, std::back_inserter(out),
+    std::ranges::copy_if(tested_, std::back_inserter(out),
                          [&](const EffectKind* kind) { return !are_among({kind}, base.kinds()); });
     return out;
   }
@@ -359,8 +377,9 @@ class HypothesisSearch {
   std::unique_ptr<WindowSubsample> subsample_;       // null where the search uses all
   std::span<replay::PreparedRun> runs_;              // with all windows, or some
   actuator::RigScale scale_;
-  std::vector<const EffectKind*> kinds_;
-  std::vector<RuledOut> failed_;
+  std::vector<const EffectKind*> kinds_;   // that this rig may have
+  std::vector<const EffectKind*> tested_;  // and that show in these records
+  std::vector<RuledOut> failed_, untested_;
   bool may_find_outliers_;
   bool may_weigh_priors_;
   bool found_outliers_ = false;

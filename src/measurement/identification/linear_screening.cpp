@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "coilwright/algebra/minimum_norm.hpp"
@@ -44,6 +45,16 @@ std::optional<Direction> residual_direction(const fit::FitRequest& request, cons
   Eigen::VectorXd absorbed = algebra::minimum_norm(base.normal_matrix, base.jacobian.transpose() * out);
   out -= base.jacobian * absorbed;
   return Direction{.residuals = std::move(out), .absorbed = std::move(absorbed)};
+}
+
+// Of the prior of a magnitude over its guesses, two standard deviations (prior_of_numbers.cpp).
+constexpr double strongest = 100.0;
+
+// See untested_kinds(), the square of a length over the noise.
+double next_to_nothing(const fit::Fit& base) {
+  constexpr double of_an_optimum = 0.1;
+  constexpr double of_a_simulation = 1e-3;
+  return of_an_optimum + of_a_simulation * of_a_simulation * static_cast<double>(base.samples());
 }
 
 std::vector<const ScreenedEffect*> best_first(std::span<const ScreenedEffect> screened) {
@@ -91,6 +102,34 @@ std::vector<ScreenedEffect> screen_effects(std::span<const replay::PreparedRun> 
     out[i].predicted_share = along / square;
     out[i].effect = at_predicted_strength(out[i].guess, along / square);
   });
+  return out;
+}
+
+std::vector<const EffectKind*> untested_kinds(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
+                                              std::span<const ScreenedEffect> screened,
+                                              const ScreeningRequest& request) {
+  const double most = next_to_nothing(base.fit);
+  // What cannot be simulated changes something.
+  const auto shows = [&](const EffectKind* kind) {
+    return std::ranges::any_of(screened, [&](const ScreenedEffect& each) {
+      const Eigen::VectorXd& direction = each.residual_direction;
+      return each.guess.kind == kind && (direction.size() == 0 || direction.squaredNorm() > most);
+    });
+  };
+  std::vector<const EffectKind*> out;
+  std::ranges::copy_if(request.kinds, std::back_inserter(out), [&](const EffectKind* kind) { return !shows(kind); });
+  std::vector<char> tested(out.size(), 0);
+  tbb::parallel_for(std::size_t{0}, out.size(), [&](std::size_t i) {
+    for (const std::vector<double>& guess : out[i]->starts(request.scale))
+      for (const double share : {1.0, strongest}) {
+        const Effect effect = at_share_of_strength({.kind = out[i], .values = guess}, share);
+        const PlannedFit plan = with_added_effects(base, std::span(&effect, 1));
+        const auto direction = residual_direction(fit_request_of(runs, plan), base.fit);
+        if (!direction || !(direction->residuals.squaredNorm() <= most)) tested[i] = 1;
+      }
+  });
+  std::size_t place = 0;
+  std::erase_if(out, [&](const EffectKind* /*kind*/) { return tested[place++] != 0; });
   return out;
 }
 

@@ -33,6 +33,16 @@ struct ScreeningRequest {
 [[nodiscard]] std::vector<ScreenedEffect> screen_effects(std::span<const replay::PreparedRun> runs,
                                                          const FittedHypothesis& base, const ScreeningRequest& request);
 
+/// The kinds that `runs` do not test. Beside `base` every guess of such a kind, and the same a hundred times as strong
+/// or at its bound, which is as strong as the prior of a magnitude has it (two deviations), would move chi-square by
+/// next to nothing once parameters and initial states have taken up what they can: by less than a tenth, to which an
+/// optimum is known, and a thousandth of the noise in each sample, to which a motion is simulated. Whether it is there
+/// leaves these records as probable as they are. `screened`: of some windows of `runs` at least.
+[[nodiscard]] std::vector<const actuator::EffectKind*> untested_kinds(std::span<const replay::PreparedRun> runs,
+                                                                      const FittedHypothesis& base,
+                                                                      std::span<const ScreenedEffect> screened,
+                                                                      const ScreeningRequest& request);
+
 /// Initial guesses of one kind to try in a short fit: the best of each discrete choice, and beside it the runner-up of
 /// the same choice if it predicts more than 70 % as much (SearchEffort). The best of all first.
 [[nodiscard]] std::vector<actuator::Effect> starts_for_short_fit(const actuator::EffectKind* kind,

@@ -67,6 +67,13 @@ std::vector<Posterior::Inclusion> Posterior::effects() const {
   return out;
 }
 
+std::vector<const EffectKind*> Posterior::not_tested() const {
+  std::vector<const EffectKind*> out;
+  for (const RuledOut& each : ruled_out)
+    if (each.remark == not_tested_remark) out.insert(out.end(), each.effects.begin(), each.effects.end());
+  return out;
+}
+
 double Posterior::probability_of(const std::vector<const EffectKind*>& effects) const {
   double sum = 0.0;
   for (const WeighedHypothesis& each : hypotheses)

@@ -23,15 +23,6 @@ constexpr int most_steps = 18;
 constexpr double strongest = 1e4;
 constexpr double widest_step = 30.0;
 
-// As identification::scaled_from_absent, and a limit that is absent at infinity (a saturation) is divided by the share.
-Effect scaled(Effect effect, double share) {
-  const auto numbers = effect.kind->parameters();
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (numbers[i].absent && std::isinf(*numbers[i].absent) && numbers[i].choices.empty())
-      effect.values[i] = std::clamp(effect.values[i] / share, numbers[i].lower, numbers[i].upper);
-  return identification::scaled_from_absent(std::move(effect), share);
-}
-
 // One strength that was tried.
 struct Tried {
   double share{};
@@ -47,7 +38,9 @@ class Scaling {
       : records_(records), start_(std::move(start)), limit_(limit) {}
 
   [[nodiscard]] Tried at(double share) {
-    Tried out{.share = share, .over_limit = std::numeric_limits<double>::quiet_NaN(), .effect = scaled(start_, share)};
+    Tried out{.share = share,
+              .over_limit = std::numeric_limits<double>::quiet_NaN(),
+              .effect = identification::at_share_of_strength(start_, share)};
     auto change = records_.change_by(out.effect);
     if (!change || !change->allFinite()) return out;
     out.over_limit = records_.beyond_declared(*change).norm() / limit_;
@@ -66,7 +59,8 @@ class Scaling {
   [[nodiscard]] bool refits() const { return refits_; }
 
   [[nodiscard]] bool at_bound(double share) const {
-    return scaled(start_, share).values == scaled(start_, share * 1.01).values;
+    return identification::at_share_of_strength(start_, share).values ==
+           identification::at_share_of_strength(start_, share * 1.01).values;
   }
 
  private:

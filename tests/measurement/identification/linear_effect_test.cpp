@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "coilwright/actuator/model/effect_catalogue.hpp"
@@ -52,6 +53,22 @@ TEST(LinearScreening, PredictsTheWholeFallOfALinearEffectFromEitherSide) {
     EXPECT_NEAR(each.effect.values[0], shifted_zero, simulation_error * shifted_zero);
   }
   EXPECT_NEAR(screened[0].predicted_share, -screened[1].predicted_share, simulation_error);
+}
+
+// Ten degrees, the most that its zero may be off, move chi-square by n (10 deg / sigma)^2. An effect that would move it
+// by half as much as an optimum is known to is not tested; one that would move it by twice as much is, weak as it is.
+TEST(LinearScreening, LeavesOutWhatNoStrengthWouldShow) {
+  constexpr double most = 10.0 / 180.0 * std::numbers::pi;
+  for (const double fall : {0.05, 0.2}) {
+    Shifted shifted;
+    shifted.run.sigma = most * std::sqrt(static_cast<double>(readings) / fall);
+    shifted.runs = {replay::prepare_run(shifted.run, shifted.declared, model_of(shifted.declared))};
+    const FittedHypothesis base = fitted_to(shifted.runs, shifted.declared, {});
+    const std::vector<const actuator::EffectKind*> kinds{&shifted.kind};
+    const ScreeningRequest request{.kinds = kinds, .scale = rig_scale(shifted.runs, model_of(shifted.declared))};
+    const auto untested = untested_kinds(shifted.runs, base, screen_effects(shifted.runs, base, request), request);
+    EXPECT_EQ(untested.size(), fall < 0.1 ? 1u : 0u) << fall;
+  }
 }
 
 // The mean of n readings scatters by sigma / sqrt(n), and 1.96 times that holds 95 %; roots are found to a hundredth.

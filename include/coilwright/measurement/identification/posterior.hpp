@@ -28,6 +28,10 @@ struct RuledOut {
   std::string remark{};  ///< "does not fit this rig: ..."
 };
 
+/// RuledOut::remark of an effect that would change nothing in these records, however strong it plausibly is.
+inline constexpr std::string_view not_tested_remark =
+    "is not tested: at any plausible strength these records would be the same; as probable as before";
+
 /// What the records and the priors say of every hypothesis that was fitted. A hypothesis that was not fitted counts as
 /// impossible, and what no effect of the catalogue does is no hypothesis: the probabilities hold given that the truth
 /// is among the hypotheses. Whether it may be is what `probability_of_noise` says.
@@ -42,6 +46,8 @@ struct Posterior {
   };
   /// Every effect of a hypothesis, the most probable first.
   [[nodiscard]] std::vector<Inclusion> effects() const;
+  /// Those of `ruled_out` with not_tested_remark.
+  [[nodiscard]] std::vector<const actuator::EffectKind*> not_tested() const;
   /// The probability of just these effects together, in any order, whatever their further numbers.
   [[nodiscard]] double probability_of(const std::vector<const actuator::EffectKind*>& effects) const;
   /// The probability of all hypotheses that have none but these effects.

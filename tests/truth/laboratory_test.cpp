@@ -79,6 +79,21 @@ TEST(Clocks, ReadAnotherTimeInEachRun) {
   EXPECT_NE(offsets[0], offsets[1]);
 }
 
+TEST(Clocks, LetTheCameraBeginAfterTheInput) {
+  Request request{.seed = 3, .programme = Programme::sines};
+  request.camera.frame_rate = 120.0;
+  request.clocks = {.log = InputLog::own_samples, .latest_start = 0.05};
+  const LaboratorySet set = make_laboratory_set(request);
+  for (const RecordedRun& run : set.runs) {
+    EXPECT_GT(run.stamps.front(), 0.0);
+    EXPECT_LT(run.stamps.front(), 0.05);
+    EXPECT_LT(run.stamps.back(), run.planned.duration);
+    EXPECT_EQ(run.input_times.front(), 0.0);
+    EXPECT_NEAR(rms(left_over(set, run, {})), 0.298, 0.1) << run.planned.experiment.name;
+  }
+  EXPECT_NE(set.runs[0].stamps.front(), set.runs[1].stamps.front());
+}
+
 TEST(Clocks, LeaveEdgesBetweenPictures) {
   Request request{.seed = 5, .programme = Programme::few};
   request.camera.frame_rate = 60.0;

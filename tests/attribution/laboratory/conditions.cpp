@@ -27,6 +27,7 @@ void clocks(Random& random, Request& request) {
   request.clocks.log = random.uniform() < 0.5 ? InputLog::own_samples : InputLog::every_change;
   request.clocks.smallest_offset = 0.005;
   request.clocks.largest_offset = 0.015;
+  request.clocks.latest_start = 0.05;
   request.clocks.rate = random.uniform() < 0.5 ? 0.005 : 0.0;
 }
 

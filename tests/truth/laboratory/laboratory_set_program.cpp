@@ -46,6 +46,8 @@ int run(int argc, char** argv) {
   app.add_option("--smallest-offset-s", request.clocks.smallest_offset, "Smallest offset of the clocks");
   app.add_option("--largest-offset-s", request.clocks.largest_offset, "Largest offset of the clocks");
   app.add_option("--clock-rate", request.clocks.rate, "Relative difference of the clocks' rates");
+  app.add_option("--latest-start-s", request.clocks.latest_start,
+                 "How long after the input the pictures begin, at most");
   app.add_option("--noise", request.noise.colour, "Colour of the noise")
       ->transform(CLI::CheckedTransformer(words<Colour>(4)));
   app.add_flag("--still", request.noise.still_run, "Record a finger at rest");

@@ -68,8 +68,13 @@ Recorder::Session Recorder::open_session(const PlannedRun& planned) {
                             .rate = rate_},
                   .stamps = {},
                   .middles = {}};
+  // To the last digit of the file.
+  const double late =
+      clocks.latest_start > 0.0 ? 1e-6 * std::round(1e6 * random_.uniform(0.0, clocks.latest_start)) : 0.0;
   double before = 0.0;
-  for (const double stamp : picture_times(request_, planned)) {
+  for (const double picture : picture_times(request_, planned)) {
+    const double stamp = late + picture;
+    if (stamp >= planned.duration) break;
     const double is = stamp + request_.camera.jitter * random_.normal();
     before = std::max(before, planned.begins + (1.0 + session.clock.rate) * is + session.clock.offset);
     session.stamps.push_back(stamp);

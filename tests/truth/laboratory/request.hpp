@@ -36,6 +36,7 @@ struct ClockFaults {
   double smallest_offset = 0.0;  ///< s, between the clocks of camera and input, of either sign and another in each run
   double largest_offset = 0.0;   ///< s
   double rate = 0.0;             ///< relative difference of both clocks, of either sign and the same in all runs
+  double latest_start = 0.0;     ///< s, by which the first picture comes after the input has begun, at most
   double own_rate = 200.0;       ///< samples of the input per second, in a file with samples of its own
 };
 

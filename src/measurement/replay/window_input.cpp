@@ -140,7 +140,7 @@ void set_input(Window& window, const data::Run& run, const CleanInput& clean, co
   if (largest_bend > least_bend * largest) window.bend = simulation::model_input(nominal, bend);
   if (std::ranges::find(straight, 1) != straight.end()) {
     window.input.passed.assign(smooth.size(), 0);
-    for (std::size_t i = 1; i < smooth.size(); ++i)
+    for (std::size_t i = 1; i + 1 < smooth.size(); ++i)
       window.input.passed[i] = smooth[i - 1] != 0 && smooth[i] != 0 ? 1 : 0;
     window.input.straight = std::move(straight);
   }

@@ -186,6 +186,20 @@ TEST(WindowInput, IsASmoothCurveThatMovesAFingerAsFineLinesDo) {
   }
 }
 
+// Whether it is cut off between two samples or at one.
+TEST(WindowInput, EndsAnywhereInASmoothCurve) {
+  data::Run run = swing_run(2.0);
+  run.hold = data::InputHold::linear;
+  std::size_t at_samples = 0;
+  for (std::size_t samples = 800; samples < 900; ++samples) {
+    Window window{.range = {0, samples}};
+    set_input(window, run, {.rows = run.inputs}, swing());
+    EXPECT_NO_THROW(window.input.require_fits(swing())) << samples;
+    at_samples += static_cast<std::size_t>(std::ranges::count(run.times, window.input.times.back()));
+  }
+  EXPECT_GT(at_samples, 0U);
+}
+
 // A command of few steps, of uneven or of rough ones, is made step by step.
 TEST(WindowInput, KeepsStepsThatAreFewUnevenOrRough) {
   data::Run rough = swing_run(2.0);

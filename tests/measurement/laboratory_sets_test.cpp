@@ -46,6 +46,33 @@ TEST(LaboratorySets, ALagIsNamedAlthoughEdgesLieBetweenPictures) {
   EXPECT_THAT(named(found), ::testing::Contains("coil_lag"));
 }
 
+// Sines whose first picture comes up to 50 ms after they have begun. While a run rested at its first picture, its first
+// quarter of a second was wrong: something was missing where nothing is hidden, and no lag was found.
+truth::laboratory::Request filmed_after_the_input() {
+  return {.seed = 4,
+          .programme = truth::laboratory::Programme::sines,
+          .camera = {.frame_rate = 120.0},
+          .clocks = {.log = truth::laboratory::InputLog::own_samples,
+                     .smallest_offset = 0.001,
+                     .largest_offset = 0.002,
+                     .latest_start = 0.05,
+                     .own_rate = 500.0}};
+}
+
+TEST(LaboratorySets, NothingIsMissingWherePicturesBeginAfterTheInput) {
+  EXPECT_EQ(diagnosis_of(filmed_after_the_input()).verdict, Verdict::no_missing_effect);
+}
+
+TEST(LaboratorySets, ALagIsNamedWherePicturesBeginAfterTheInput) {
+  truth::laboratory::Request request = filmed_after_the_input();
+  request.hidden = {"coil_lag"};
+  request.weakest = 8.0;
+  const Diagnosis found = diagnosis_of(request);
+  EXPECT_EQ(found.verdict, Verdict::explained);
+  EXPECT_THAT(named(found), ::testing::Contains("coil_lag"));
+  EXPECT_EQ(found.effects.size(), 1u);
+}
+
 // Hum of 50 Hz, and no record of a finger at rest: the hold of 15 s shows it.
 TEST(LaboratorySets, HumIsNoMissingEffectWhereAHoldShowsIt) {
   const Diagnosis found = diagnosis_of({.seed = 2,

@@ -15,6 +15,7 @@
 #include "measurement/data/equal_stretches.hpp"
 #include "measurement/fit/hypothesis.hpp"
 #include "measurement/records/declared_readings.hpp"
+#include "measurement/replay/prediction.hpp"
 #include "measurement/replay/rig_change.hpp"
 
 namespace coilwright::measurement::records {
@@ -157,13 +158,18 @@ std::optional<data::Warning> initial_pose_mismatch(std::span<const replay::Prepa
     const data::Run& run = *prepared.run;
     if (!prepared.is_motion() || run.start != data::Start::at_rest) continue;
     const actuator::Model model(replay::on_changed_rig(as_declared.spec_at(as_declared.start()), run.rig));
-    const auto rest = simulation::equilibrium_at_first_input(model, prepared.windows.front().input);
+    const replay::Window& window = prepared.windows.front();
+    const auto rest = simulation::equilibrium_at_first_input(model, window.input);
     if (!rest) continue;
+    const auto motion = replay::predict_window(model, prepared, window, *rest);
     for (std::size_t c = 0; c < run.channels.size(); ++c) {
       const std::optional<double> expected = shown(model, run.channels[c], *rest);
       if (!expected) continue;
       const double seen = first_reading(run.channels[c], *expected);
       const double near = std::max(far, most_deviations * prepared.noise[c].sigma);
+      // An input that began before the first sample may have moved the finger by then.
+      const auto first = static_cast<Eigen::Index>(c * window.samples());
+      if (motion && std::abs(motion->values[first] - *expected) > near) continue;
       const double off = std::abs(seen - *expected);
       if (off <= near && std::abs(*expected) <= near) right.insert(run.channels[c].name);
       if (off <= std::max(near, share_of_bend * std::abs(*expected))) continue;

@@ -11,6 +11,10 @@ namespace coilwright::measurement::replay {
 /// Between rows at most this far apart, s, a cubic gives the motion of a finger at 10 Hz within 1e-5 of its amplitude.
 inline constexpr double densest_needed = 0.004;
 
+/// Under a constant input a finger comes to rest, or creeps; it does not hum. After so long, s, what rang has died
+/// away.
+inline constexpr double ringing_time = 3.0;
+
 /// One value per input column, in the units of the command.
 using InputRow = std::vector<double>;
 

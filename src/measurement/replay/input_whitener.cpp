@@ -72,6 +72,8 @@ class Covariance {
     variances_ = Eigen::Map<const VectorXd>(uncertainty.sigma.data(), errors()).cwiseAbs2();
     free = MatrixXd::Zero(states() + errors(), states() + errors());
     free.bottomRightCorner(errors(), errors()) = variances_.asDiagonal();
+    const double first = prepared.run->times[window.range.first];
+    begin = std::max(window.input.times.front(), first - ringing_time);
     if (!prepared.fits_initial_states()) rest();
     known = free;
   }
@@ -106,6 +108,7 @@ class Covariance {
     return whole;
   }
 
+  double begin{};  // s, from when on it follows the errors: what they did long before the first sample has died away
   MatrixXd known;  // with what readings have told
   MatrixXd free;   // without
 
@@ -126,10 +129,10 @@ class Covariance {
     return out;
   }
 
-  // A run that starts at rest is simulated from the equilibrium under its first sample as it was recorded.
+  // A run that starts at rest is simulated from the equilibrium under its first input as it was recorded.
   void rest() {
     const Eigen::Index joints = model_.joints();
-    const LinearMotion first = about(window_.input.times.front());
+    const LinearMotion first = about(begin);
     MatrixXd both = MatrixXd::Zero(free.rows(), errors());
     both.topRows(joints) = -algebra::minimum_norm_columns(first.by_state.block(joints, 0, joints, joints),
                                                           first.by_input.middleRows(joints, joints));
@@ -154,12 +157,13 @@ InputWhitener::InputWhitener(const Model& model, const PreparedRun& prepared, co
   const data::Run& run = *prepared.run;
   Covariance covariance(model, prepared, window, motion);
   const double first = run.times[range_.first];
-  double before = 0.0;
+  double before = covariance.begin;
   for (std::size_t i = 0; i < range_.samples(); ++i) {
     const double stamp = run.times[range_.first + i];
     const double time = stamp + local.numbers->clock_rate(local.values) * (stamp - first) +
                         local.numbers->clock_offset(local.values) - model.delay();
-    if (i > 0) transitions_.push_back(covariance.move(before, time));
+    const MatrixXd transition = covariance.move(before, time);
+    if (i > 0) transitions_.push_back(transition);
     before = time;
     const State state = motion.at(time);
     for (std::size_t c = 0; c < channels_; ++c) {

@@ -15,6 +15,7 @@
 #include "coilwright/algebra/least_squares.hpp"
 #include "coilwright/simulation/initial_state.hpp"
 #include "coilwright/simulation/modes.hpp"
+#include "measurement/replay/input_rows.hpp"
 #include "measurement/replay/rig_change.hpp"
 #include "measurement/signals/noise_colour.hpp"
 #include "measurement/signals/spikes.hpp"

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "measurement/replay/input_curve.hpp"
 #include "measurement/replay/input_rows.hpp"
 #include "measurement/replay/rig_change.hpp"
 
@@ -22,6 +23,12 @@ constexpr double least_bend = 0.003;
 constexpr double clock_deviations = 4.0;
 // And always so far: a camera may stamp its pictures early (measurement_delay, down to -50 ms).
 constexpr double least_reach = 0.05;  // s
+
+// So much of an input before the first sample counts, s: a finger has long forgotten how it swung before that, and what
+// friction, creep and heat keep of it is left out.
+constexpr double longest_lead = 60.0;
+// Less than this share of what the input does in a run is no change of what is held before the first sample.
+constexpr double least_change = 0.01;
 
 // How far beyond its samples a window may be shown.
 double reach_of(const data::Run& run, double duration) {
@@ -58,6 +65,26 @@ std::vector<InputRowErrors> row_errors(const std::vector<InputError>& errors, co
   return out;
 }
 
+// From when on the input drives a window. A run that starts at rest does so under its first input, which a clock of its
+// own may have put before the first sample; of a longer lead what came before the last long hold is forgotten.
+double begin_of(const Window& window, const data::Run& run, const std::vector<Row>& rows) {
+  const double first = run.times[window.range.first];
+  if (window.range.first > 0 || run.start != data::Start::at_rest) return first;
+  const std::vector<double>& times = run.times_of_inputs();
+  if (first - times.front() <= longest_lead) return std::min(first, times.front());
+  const double no_change = least_change * replay::range_of(rows);
+  double out = first - longest_lead;
+  double held_since = out;
+  auto next = static_cast<std::size_t>(std::ranges::upper_bound(times, out) - times.begin());
+  for (std::size_t held = next - 1; next < times.size() && times[next] <= first; ++next) {
+    if (size_of_step(rows[held], rows[next]) <= no_change) continue;
+    if (times[next] - held_since >= ringing_time) out = held_since;
+    held_since = times[next];
+    held = next;
+  }
+  return first - held_since >= ringing_time ? held_since : out;
+}
+
 }  // namespace
 
 void set_input(Window& window, const data::Run& run, const CleanInput& clean, const actuator::Model& nominal) {
@@ -66,6 +93,10 @@ void set_input(Window& window, const data::Run& run, const CleanInput& clean, co
   const double first = run.times[window.range.first];
   const double last = run.times[window.range.last - 1];
   const double end = last + reach_of(run, last - first);
+  const double begin = begin_of(window, run, rows);
+  // Nobody looks at the motion before that, and a finger has forgotten it but for what it was long held at.
+  const double dense_from = std::max(begin, first - ringing_time);
+  const double no_change = least_change * replay::range_of(rows);
   const Row flat(rows.front().size(), 0.0);
   simulation::CommandedInput command = run.command();
   command.times.clear();
@@ -91,37 +122,49 @@ void set_input(Window& window, const data::Run& run, const CleanInput& clean, co
     add(all.times[row], all.rows[row], all.bends[row], all.samples[row], all.shares[row], all.straight[row] != 0,
         all.smooth[row] != 0);
   };
+  const auto hold_at = [&](double time) {
+    add(time, Row(command.rows.back()), Row(bend.rows.back()), samples.back(), shares.back(), false, false);
+  };
   // What is held: straight parts are dense already.
   const auto fill_until = [&](double until) {
+    if (until <= dense_from) return;
+    if (straight.back() == 0 && command.times.back() < dense_from) hold_at(dense_from);
     const double from = command.times.back();
     const auto parts = static_cast<std::size_t>(std::ceil((until - from) / densest_needed - 1e-6));
     for (std::size_t k = 1; k < parts; ++k)
-      add(from + (until - from) * static_cast<double>(k) / static_cast<double>(parts), Row(command.rows.back()),
-          Row(bend.rows.back()), samples.back(), shares.back(), false, false);
+      hold_at(from + (until - from) * static_cast<double>(k) / static_cast<double>(parts));
   };
-  // The row in force at the first sample.
-  const auto after = std::upper_bound(all.times.begin(), all.times.end(), first);
+  // Before the motion is looked at, what hardly changes is held.
+  const auto is_passed_over = [&](std::size_t row) {
+    if (all.times[row] >= dense_from || all.smooth[row] != 0 || smooth.back() != 0) return false;
+    if (size_of_step(command.rows.back(), all.rows[row]) > no_change) return false;
+    straight.back() = 0;
+    bend.rows.back() = flat;
+    return true;
+  };
+  // The row in force when it begins.
+  const auto after = std::upper_bound(all.times.begin(), all.times.end(), begin);
   auto row = static_cast<std::size_t>(after - all.times.begin());
   if (row > 0) --row;
-  const bool has_begun = all.times[row] <= first;
+  const bool has_begun = all.times[row] <= begin;
   if (run.hold == data::InputHold::zero_order) {
-    add(first, has_begun ? all.at(row, first) : all.rows[row], flat, all.samples[row], all.shares[row],
+    add(begin, has_begun ? all.at(row, begin) : all.rows[row], flat, all.samples[row], all.shares[row],
         has_begun && all.straight[row] != 0, has_begun && all.smooth[row] != 0);
   } else {
     // A run starts at rest under its first sample.
     constexpr double instant = 1e-6;  // s
     const std::vector<double>& times = run.times_of_inputs();
-    const auto next = std::upper_bound(times.begin(), times.end(), first);
+    const auto next = std::upper_bound(times.begin(), times.end(), begin);
     const std::size_t sample = next == times.begin() ? 0 : static_cast<std::size_t>(next - times.begin()) - 1;
-    add(first, rows[sample], flat, sample, 0.0, false, false);
+    add(begin, rows[sample], flat, sample, 0.0, false, false);
     if (has_begun)
-      add(first + instant, all.at(row, first + instant), all.bends[row], all.samples[row], all.shares[row],
+      add(begin + instant, all.at(row, begin + instant), all.bends[row], all.samples[row], all.shares[row],
           all.straight[row] != 0, all.smooth[row] != 0);
   }
   for (row += has_begun ? 1 : 0; row < all.times.size() && all.times[row] <= end; ++row) {
-    if (all.times[row] <= command.times.back()) continue;
+    if (all.times[row] <= command.times.back() || is_passed_over(row)) continue;
     fill_until(all.times[row]);
-    if (all.half_widths[row] > 0.0)
+    if (all.half_widths[row] > 0.0 && all.times[row] > dense_from)
       window.edges.push_back({.row = command.times.size(), .half_width = all.half_widths[row]});
     add_row(row);
   }

@@ -57,6 +57,17 @@ TEST(FirstPoses, FarFromTheDeclaredRestAreNamedWithBothAngles) {
             "magnets and gravity of the actuator file");
 }
 
+// A force that began half a second before the first picture has turned the finger by 0.5 rad since.
+TEST(FirstPoses, OfAFingerThatMovesAlreadySayNothing) {
+  data::Run run = run_at(0.5, 50.0);
+  for (double& time : run.times) time += 0.5;
+  run.input_times = {0.0, 0.01};
+  run.inputs = {{0.0}, {50.0}};
+  EXPECT_FALSE(warning_of({run}));
+  run.inputs = {{0.0}, {0.0}};
+  EXPECT_TRUE(warning_of({run}));
+}
+
 TEST(FirstPoses, NearItWithinTheNoiseOrFreeSayNothing) {
   EXPECT_FALSE(warning_where_zero_is_at(0.05, 1e-3, data::Start::at_rest));
   EXPECT_FALSE(warning_where_zero_is_at(0.35, 0.05, data::Start::at_rest));

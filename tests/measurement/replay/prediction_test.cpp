@@ -104,6 +104,27 @@ TEST(Prediction, OfAFreeMotionIsTheSameHoweverLateTheCamera) {
     EXPECT_LT((shown_after(delay) - in_time).lpNorm<Eigen::Infinity>(), error) << delay;
 }
 
+// The heat of what acts before the first picture is in it.
+TEST(Prediction, WarmsUpFromTheFirstInputOn) {
+  const Model model = warming_finger(0.0);
+  const DeclaredModel declared{};
+  data::Run late = held(data::Start::at_rest);
+  late.input_times = late.times;
+  for (double& time : late.times) time += 0.2;
+  const PreparedRun record = prepare_run(late, declared, model);
+  const Window& window = record.windows.front();
+  const auto start = simulation::equilibrium_at_first_input(model, window.input);
+  ASSERT_TRUE(start);
+  const auto predicted = predict_window(model, record, window, *start);
+  ASSERT_TRUE(predicted);
+  const data::Run whole = held(data::Start::at_rest);
+  const PreparedRun from_start = prepare_run(whole, declared, model);
+  const auto expected = predict_window(model, from_start, from_start.windows.front(), *start);
+  ASSERT_TRUE(expected);
+  EXPECT_LT(expected->values[100], 0.97 * expected->values[0]);
+  EXPECT_NEAR(predicted->values[0], expected->values[100], 1e-6);
+}
+
 // A prediction of a grasp on the finger without heat.
 double grasp(std::vector<double> openings, std::vector<double> heights) {
   const Model model = actuator::assemble_or_throw(actuator::paper_finger()).model;

@@ -76,7 +76,7 @@ VisitedStates visited_states(std::span<const replay::PreparedRun> runs,
       const simulation::ModelInput input = replay::at_samples(window, *prepared.run);
       for (std::size_t i = 0; i < input.times.size(); ++i)
         visits.add(model, motion->at(input.times[i]), input.currents[i]);
-      if (prepared.fits_initial_states()) internal = motion->at(input.times.back()).internal;
+      internal = motion->at(input.times.back()).internal;
     }
     visits.end_run();
   }

@@ -140,8 +140,8 @@ std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_bench(const Mo
                    .predictions = std::move(*predicted)};
 }
 
-// Window after window: where initial states are fitted, the internal states of effects (heat, creep) continue from one
-// to the next; angles and rates have an initial state of their own in each.
+// Window after window: the internal states of effects (heat, creep) continue from one to the next; angles and rates have
+// an initial state of their own in each.
 std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_windows(const Model& model, std::size_t r,
                                                                           const RunValues* nearby) const {
   const replay::PreparedRun& prepared = request_.runs[r];
@@ -155,7 +155,7 @@ std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_windows(const 
                                           nearby != nullptr ? &nearby->trajectories[b - first_block_[r]] : nullptr);
     if (!motion) return std::nullopt;
     const Eigen::VectorXd predicted = replay::observed_values(model, prepared, window, *motion, block.local_values());
-    if (block.numbers.has_initial_state()) internal = motion->at(prepared.run->times[window.range.last - 1]).internal;
+    internal = motion->at(prepared.run->times[window.range.last - 1]).internal;
     out.residuals.push_back(residuals_with_prior(block, prepared, window.range, predicted, block.local));
     out.predictions.segment(block.first, predicted.size()) = predicted;
     out.trajectories.push_back(std::move(*motion));

@@ -32,9 +32,10 @@ bool has_slow_derivatives(std::span<const replay::PreparedRun> runs, const repla
   const auto& numbers = declared.calibration;
   if (!std::ranges::all_of(numbers, &replay::CalibrationParameter::calibrated)) return true;
   return std::ranges::any_of(runs, [](const replay::PreparedRun& run) {
-    return run.fits_initial_states() || std::ranges::any_of(run.windows, [](const replay::Window& window) {
-             return !window.edges.empty() || !window.bend.times.empty() || !window.errors.empty();
-           });
+    return std::ranges::any_of(run.windows, [&](const replay::Window& window) {
+      return run.fits_initial_state(window) || !window.edges.empty() || !window.bend.times.empty() ||
+             !window.errors.empty();
+    });
   });
 }
 

@@ -75,7 +75,7 @@ std::optional<MeasuredMotion> motion_of(const replay::PreparedRun& prepared, con
       motion.simulated.push_back(
           found->at(stamp + numbers.clock_rate(local.values) * since + numbers.clock_offset(local.values)));
     }
-    if (prepared.fits_initial_states()) internal = motion.simulated.back().internal;
+    internal = motion.simulated.back().internal;
     append(replay::at_samples(window, *prepared.run), motion.input);
   }
   return motion;

@@ -74,7 +74,7 @@ class Covariance {
     free.bottomRightCorner(errors(), errors()) = variances_.asDiagonal();
     const double first = prepared.run->times[window.range.first];
     begin = std::max(window.input.times.front(), first - ringing_time);
-    if (!prepared.fits_initial_states()) rest();
+    if (!prepared.fits_initial_state(window)) rest();
     known = free;
   }
 
@@ -212,7 +212,7 @@ void weigh_input_errors(PreparedRun& prepared, const Model& model, const std::ve
     const std::optional<Trajectory> motion = simulate_window(model, window, values, internal);
     if (!motion) return;
     window.input_whitener = std::make_shared<const InputWhitener>(model, prepared, window, *motion, values);
-    if (prepared.fits_initial_states()) internal = motion->at(prepared.run->times[window.range.last - 1]).internal;
+    internal = motion->at(prepared.run->times[window.range.last - 1]).internal;
   }
 }
 

@@ -29,7 +29,7 @@ bool is_angle(const data::Channel& channel) {
 }  // namespace
 
 LocalNumbers::LocalNumbers(const PreparedRun& prepared, const Window& window)
-    : joints_(static_cast<int>(window.prior.mean.angles.size())), has_state_(prepared.fits_initial_states()) {
+    : joints_(static_cast<int>(window.prior.mean.angles.size())), has_state_(prepared.fits_initial_state(window)) {
   if (has_state_) {
     for (int j = 0; j < joints_; ++j) add(window.prior.mean.angles[j], window.prior.sigma.angles[j]);
     for (int j = 0; j < joints_; ++j) add(window.prior.mean.rates[j], window.prior.sigma.rates[j]);

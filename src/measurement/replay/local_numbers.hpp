@@ -16,7 +16,7 @@ class LocalNumbers {
   LocalNumbers() = default;
   LocalNumbers(const PreparedRun& prepared, const Window& window);
 
-  /// Number of them; 0 for a window of a run that starts at rest, with one clock and no hum.
+  /// Number of them; 0 for a window that starts at rest, with one clock and no hum.
   [[nodiscard]] std::size_t size() const { return mean_.size(); }
   /// Their prior: independent normal distributions.
   [[nodiscard]] const std::vector<double>& mean() const { return mean_; }

@@ -203,7 +203,7 @@ PreparedRun prepare_run(const data::Run& run, const DeclaredModel& declared, con
   const CleanInput input = clean ? *clean : CleanInput{.rows = run.inputs};
   for (Window& window : prepared.windows) {
     set_input(window, run, input, nominal);
-    if (prepared.fits_initial_states()) window.prior = initial_state_prior(prepared, window.range, nominal);
+    if (prepared.fits_initial_state(window)) window.prior = initial_state_prior(prepared, window.range, nominal);
   }
   return prepared;
 }

@@ -66,12 +66,12 @@ class InputWhitener;
 struct Window {
   SampleRange range{};
   simulation::ModelInput input{};  ///< that drives it, on the input's clock; its rows are dense enough to interpolate
-                                   ///< the motion between them, and may reach beyond the samples
+                                   ///< the motion between them, and may reach beyond the samples on both sides
   std::vector<InputEdge> edges{};
   simulation::ModelInput bend{};  ///< what a smooth curve through the samples of the input adds to straight lines
                                   ///< between them, row by row; empty where that is next to nothing
   std::vector<InputRowErrors> errors{};  ///< of an input with noise
-  InitialStatePrior prior{};  ///< from the first samples of the measurement; empty for runs that start at rest
+  InitialStatePrior prior{};             ///< from its first samples of the measurement; empty where it starts at rest
   /// What makes residuals white where the recorded input is not exact (weigh_input_errors()); null: they are.
   std::shared_ptr<const InputWhitener> input_whitener{};
 
@@ -113,8 +113,11 @@ struct PreparedRun {
   /// Number of samples that no fit may use, all channels together.
   [[nodiscard]] Eigen::Index values_set_aside() const;
   [[nodiscard]] bool is_motion() const { return run->kind == data::RunKind::transient; }
-  /// Whether the initial states of its windows are fitted along with the parameters.
-  [[nodiscard]] bool fits_initial_states() const { return is_motion() && run->start != data::Start::at_rest; }
+  /// Whether the initial state of one of its windows is fitted along with the parameters: of a run that starts at rest
+  /// that of all but the first.
+  [[nodiscard]] bool fits_initial_state(const Window& window) const {
+    return is_motion() && (run->start != data::Start::at_rest || window.range.first > 0);
+  }
 };
 
 /// PreparedRun::model_error of the runs of a fit; 1 where there are none.

@@ -251,5 +251,18 @@ TEST(Fit, FindsTheInitialStateOfEveryWindow) {
   EXPECT_NEAR(found.values[1], true_damping, 0.03);
 }
 
+// Only its first piece begins at rest. While all did, each was as far off as the slide had come.
+TEST(Fit, FindsTheInitialStatesOfLaterWindowsOfARunAtRest) {
+  Normal normal(5);
+  data::Run run = slide_run(400, {}, [&] { return noise_sigma * normal(); });
+  run.window = 1.0;
+  const Prepared prepared(slide(2.3, 2.7), run);
+  const Fit found = fitted(prepared);
+  EXPECT_TRUE(found.runs.front().local_numbers[0].empty());
+  EXPECT_EQ(found.runs.front().local_numbers[1].size(), 2U);
+  EXPECT_NEAR(found.values[0], true_mass, 0.03);
+  EXPECT_NEAR(found.values[1], true_damping, 0.03);
+}
+
 }  // namespace
 }  // namespace coilwright::measurement::fit

@@ -148,6 +148,17 @@ TEST(Prediction, TakesAGraspWhereItWasMeasured) {
                   "wall.csv: height_mm must not lie beyond the tip, 21.2 mm from its joint; got 25"));
 }
 
+// Only a run begins at rest: a piece of it begins wherever the one before has led.
+TEST(Prediction, BeginsLaterPiecesOfARunAtRestAnywhere) {
+  const DeclaredModel declared{};
+  data::Run run = held(data::Start::at_rest);
+  run.window = 0.5;
+  const PreparedRun record = prepare_run(run, declared, warming_finger(0.0));
+  ASSERT_EQ(record.windows.size(), 2U);
+  EXPECT_FALSE(LocalNumbers(record, record.windows[0]).has_initial_state());
+  EXPECT_TRUE(LocalNumbers(record, record.windows[1]).has_initial_state());
+}
+
 TEST(Prediction, ContinuesTheHeatInTheNextWindow) {
   const Model model = warming_finger(0.0);
   const DeclaredModel declared{};

@@ -34,6 +34,7 @@
 #include "outputs.hpp"
 #include "part_run.hpp"
 #include "report_option.hpp"
+#include "run_files.hpp"
 #include "signals.hpp"
 
 namespace coilwright::cli {
@@ -66,12 +67,15 @@ void check_output(const DiagnoseOptions& options, const formats::DatasetFile& se
     throw text::OutputError(options.out, "it is the folder of the data set", text::OutputError::Stage::preparing);
   std::vector<std::filesystem::path> inputs = set.run_files;
   inputs.insert(inputs.end(), {set.file, declared});
-  std::vector<const char*> names(results::diagnosis_files.begin(), results::diagnosis_files.end());
-  if (options.report) names.push_back(report_name);
-  std::vector<std::filesystem::path> outputs;
-  for (const char* name : names) outputs.push_back(std::filesystem::path(options.out) / name);
-  keep_inputs(inputs, outputs);
-  keep_results_of_others(options.out, names, "\"diagnosis/1\"", options.force);
+  keep_inputs(inputs, run_files_in(options.out));
+  const bool goes_on = has_mark(std::filesystem::path(options.out) / "diagnosis.json", "\"diagnosis/1\"");
+  // Whose an archive is, is told when it is opened; a page is in the way only where one is asked for.
+  const auto own = [&](std::string_view name) {
+    return is_of_archive(name) || (goes_on && is_left_by("diagnose", name)) || (name == report_name && !options.report);
+  };
+  keep_other_run(options.out, own, options.force);
+  const std::filesystem::path page = std::filesystem::path(options.out) / report_name;
+  if (options.report && !options.force && !goes_on && exists(symlink_status(page, none))) throw other_content(page);
   // Known before the work, whether it can be written.
   const text::OutputFolder trial(options.out);
 }
@@ -115,12 +119,16 @@ results::AskedDiagnosis read_asked(const DiagnoseOptions& options) {
   return asked;
 }
 
-void write(const DiagnoseOptions& options, const results::AskedDiagnosis& asked, const Diagnosis& diagnosis) {
+void write(const DiagnoseOptions& options, const results::AskedDiagnosis& asked, const Diagnosis& diagnosis,
+           const FitRecord& record) {
   const results::DiagnosisAnswer answer = results::answer_of(diagnosis, asked);
   // Before anything is written, so that no disk can lose it.
   if (!options.part.part) std::cout << (options.json ? answer.json : answer.summary) << std::flush;
   try {
-    results::write_diagnosis(diagnosis, asked, answer, options.out);
+    text::OutputFolder folder(options.out);
+    remove_other_run(folder, "");
+    if (record.path.empty()) remove_other_archive(folder);
+    results::write_diagnosis(diagnosis, asked, answer, folder);
   } catch (const text::OutputError& refusal) {
     throw std::runtime_error(refusal.what());  // the work is done, wherever the disk refuses
   }
@@ -132,7 +140,7 @@ void write(const DiagnoseOptions& options, const results::AskedDiagnosis& asked,
                                   std::string_view why) {
   ExitCode code = ExitCode::interrupted;
   try {
-    if (known) write(options, asked, *known);
+    if (known) write(options, asked, *known, record);
     std::cerr << "coilwright: " << why << ": "
               << (known ? fmt::format("{} has what is known so far, marked as incomplete", options.out)
                         : std::string("nothing is known yet"))
@@ -154,8 +162,7 @@ formats::PartFile part_of(const DiagnoseOptions& options) {
   const results::Provenance question{.command = "diagnose", .seed = options.seed};
   return {.part = options.part.part.value(),
           .whole = whole_of(question, "data sets", way_of(options)),
-          .machine = this_machine(),
-          .results = options.dataset};
+          .machine = this_machine()};
 }
 
 void run_diagnose(const DiagnoseOptions& options) {
@@ -165,7 +172,6 @@ void run_diagnose(const DiagnoseOptions& options) {
   if (options.part.part) {
     part = part_of(options);
     require_figures_of_head(options.part, part->machine);
-    std::filesystem::remove(std::filesystem::path(options.out) / part_name);
   }
   FitRecord record = open_fit_record(options.out, asked.provenance, way_of(options),
                                      options.force    ? Begin::force
@@ -196,11 +202,11 @@ void run_diagnose(const DiagnoseOptions& options) {
   }();
   if (!options.quiet) std::cerr << report::to_text(diagnosis.phases);
   record.unlock();
-  write(options, asked, diagnosis);
+  write(options, asked, diagnosis, record);
   record.remove();
   if (!part) return;
   text::OutputFolder folder(options.out);
-  write_part(folder, *part);
+  write_part(folder, *std::move(part));
 }
 
 }  // namespace
@@ -238,8 +244,8 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
       "seed). Where a run would separate what these data cannot, it also writes next_experiment.json (experiment/1,\n"
       "for plan and twin) and next_experiment.csv (what each explanation expects that run to show). Where no known\n"
       "effect explains all and a torque without a name explains more on runs left out, it also writes\n"
-      "corrected_actuator.json with that torque. Files of an earlier diagnosis in the folder are replaced, others of\n"
-      "these names only with --force. The exit code is 0 for every verdict. Ctrl-C, and --minutes, write what is known "
+      "corrected_actuator.json with that torque. Files of an earlier diagnosis in the folder are replaced, those of\n"
+      "another run only with --force. The exit code is 0 for every verdict. Ctrl-C, and --minutes, write what is known "
       "so far\n"
       "(the recalibrated model, the odds of what was compared) with the verdict \"incomplete\"; the exit code is then "
       "130, and --resume goes on from the fits that had ended.\n\n"

@@ -29,6 +29,7 @@
 #include "options.hpp"
 #include "outputs.hpp"
 #include "part_run.hpp"
+#include "run_files.hpp"
 #include "sweep_answer.hpp"
 
 namespace coilwright::cli {
@@ -50,17 +51,20 @@ struct DistributeOptions {
 // A command whose runs have parts.
 struct DividedCommand {
   std::string_view name;
-  std::string_view outputs;  // of a part, that merge or a person needs, beside part.json
+  std::string_view outputs;  // of a part, all but its archive; empty: its folder, which has no archive when it ends
   std::string_view result;   // the last file of the whole
   std::string_view again;    // what makes a part that was begun go on
 };
 constexpr std::array divided_commands{
-    DividedCommand{"sweep", "designs.csv", "result.json", " --resume"},
-    DividedCommand{"size", "result.json actuator.json evaluations.csv convergence.csv provenance.json", "seeds.json",
-                   " --resume"},
-    DividedCommand{"pareto", "", "seeds.json", " --resume"}, DividedCommand{"yield", "builds.csv", "result.json", ""},
-    DividedCommand{"diagnose", "diagnosis.json summary.txt actuator.json residuals.csv provenance.json",
-                   "diagnoses.csv", ""}};
+    DividedCommand{"sweep", "part.json found.json designs.csv", "result.json", " --resume"},
+    DividedCommand{"size",
+                   "part.json found.json result.json actuator.json evaluations.csv convergence.csv provenance.json",
+                   "seeds.json", " --resume"},
+    DividedCommand{"pareto",
+                   "part.json found.json result.json front.csv evaluations.csv convergence.csv provenance.json",
+                   "seeds.json", " --resume"},
+    DividedCommand{"yield", "part.json found.json builds.csv", "result.json", ""},
+    DividedCommand{"diagnose", "", "diagnoses.csv", ""}};
 
 // What distribute gives each part itself, or would need a folder that is not copied.
 constexpr std::array<std::string_view, 12> not_for_parts{"--part",    "--out",    "--head",  "--set",
@@ -254,13 +258,13 @@ Distribution distribution_of_sets(const DistributeOptions& options, const Divide
 
 std::vector<std::string> outputs_of(const Distribution& distribution, const std::vector<std::string>& options,
                                     const std::string& folder) {
-  std::vector<std::string> out{folder + "/" + part_name};
+  if (distribution.command.outputs.empty()) return {folder};
   const auto keep = std::ranges::find(options, "--keep");
   const bool rows_come_last =
       keep != options.end() && keep + 1 != options.end() && keep[1] != "all" && keep[1] != "feasible";
-  if (rows_come_last) return out;
+  std::vector<std::string> out;
   for (const std::string& name : blank_separated(distribution.command.outputs))
-    out.push_back(fmt::format("{}/{}", folder, name));
+    if (name != rows_name || !rows_come_last) out.push_back(fmt::format("{}/{}", folder, name));
   return out;
 }
 
@@ -307,8 +311,13 @@ void run_distribute(const DistributeOptions& options, const CLI::App& app) {
       command.name == "diagnose" ? distribution_of_sets(options, command) : distribution_of_a_study(options, command);
   const CopiedInputs inputs(distribution.files, distribution.subjects);
   exports::Workflow workflow = workflow_of(options, distribution, inputs);
+  std::vector<fs::path> copied;
+  for (const NeededFile& file : distribution.files) copied.push_back(file.from);
+  keep_inputs(copied, run_files_in(options.out));
   text::OutputFolder folder(options.out);
   folder.lock();
+  keep_other_run(
+      folder.path(), [](std::string_view name) { return name == "workflow.makeflow"; }, options.force);
   // No earlier workflow may run what is replaced now; of what stays, commit() tells.
   std::error_code stays;
   for (const exports::WorkflowFile& file : exports::workflow_files(workflow))
@@ -318,6 +327,8 @@ void run_distribute(const DistributeOptions& options, const CLI::App& app) {
     if (name != workflow.program) workflow.inputs.push_back(name);
   if (!distribution.head.figures.empty()) folder.write("head.json", formats::to_json(distribution.head).text());
   for (const exports::WorkflowFile& file : exports::workflow_files(workflow)) folder.write(file.name, file.text);
+  remove_other_run(folder, "");
+  remove_other_archive(folder);
   folder.commit("workflow.makeflow");
   if (options.json) {
     const fs::path out = options.out;

@@ -32,6 +32,17 @@ bool goes_on(const fs::path& path, const archive::Contents& asked, Begin begin) 
       {.file = path.parent_path().string(), .place = {}, .rule = archive_of_another_run(differing), .value = {}});
 }
 
+// The archive of a run of another command, or what is none: it stays until the diagnosis that replaces it is written.
+bool is_of_another_run(const fs::path& path, const archive::Contents& asked) {
+  std::error_code error;
+  if (!fs::exists(fs::symlink_status(path, error))) return false;
+  try {
+    return archive::Reader(path).contents().command != asked.command;
+  } catch (const text::InputError&) {
+    return true;
+  }
+}
+
 void tell_of(const std::string& refusal) {
   std::cerr << fmt::format("coilwright: {}; the diagnosis goes on, and is recorded no further\n", refusal)
             << std::flush;
@@ -67,6 +78,10 @@ FitRecord open_fit_record(const fs::path& folder, const results::Provenance& que
   archive::Contents asked = contents_of(question);
   asked.algorithm = std::move(way);
   asked.seed = question.seed;
+  if (begin == Begin::force && is_of_another_run(out.path, asked)) {
+    out.path.clear();
+    return out;
+  }
   const bool is_there = goes_on(out.path, asked, begin);
   try {
     const archive::KeptFits fits = opened(out.path, asked, is_there);

@@ -14,12 +14,12 @@ namespace coilwright::cli {
 enum class Begin {
   anew,    ///< it is replaced, unless it is another command's
   resume,  ///< the run goes on from its fits, if they are of the same question
-  force    ///< whatever archive stands there is replaced
+  force    ///< an archive of a diagnosis is replaced; with one of another run there, none is made
 };
 
 /// The finished fits of a diagnosis in the archive of its folder. Keeps other runs from the folder until unlock().
 struct FitRecord {
-  std::filesystem::path path;
+  std::filesystem::path path;  ///< empty where another run has its archive, which is replaced with its results
   std::unique_ptr<text::FolderLock> lock;
   std::shared_ptr<const measurement::replay::KnownFits> known_fits;  ///< null where the disk takes none
   bool is_new_folder;                                                ///< it was made for this run

@@ -35,14 +35,10 @@ void add_force_option(CLI::App& command, bool& force) {
   add_flag(command, "--force", force, "Replace files of another kind or content, too");
 }
 
-namespace {
-
 text::OutputError other_content(const std::filesystem::path& file) {
   return {file, "it holds something else; --force replaces it, another --out keeps it",
           text::OutputError::Stage::preparing};
 }
-
-}  // namespace
 
 void keep_others(text::OutputFolder& folder, bool force) {
   folder.lock();  // until it is committed, so that what is found is what is replaced
@@ -75,20 +71,18 @@ void keep_other_table(const text::OutputFile& file, std::span<const std::string>
   throw other_content(file.path());
 }
 
-void keep_results_of_others(const std::filesystem::path& folder, std::span<const char* const> names,
-                            std::string_view mark, bool force) {
-  if (force) return;
-  std::string beginning(100, ' ');
-  std::ifstream first(folder / names.front());
-  first.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  if (beginning.find(mark) != std::string::npos) return;
+bool has_mark(const std::filesystem::path& file, std::string_view mark) {
   std::error_code none;
-  for (const char* name : names)
-    if (exists(symlink_status(folder / name, none))) throw other_content(folder / name);
+  if (!is_regular_file(file, none)) return false;  // a pipe may never end
+  std::string beginning(300, ' ');
+  std::ifstream(file).read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  return beginning.find(mark) != std::string::npos;
 }
 
 void keep_other_provenance(const std::filesystem::path& folder, bool force) {
-  keep_results_of_others(folder, std::array{results::provenance_name}, "\"provenance/1\"", force);
+  const std::filesystem::path file = folder / results::provenance_name;
+  std::error_code none;
+  if (!force && exists(symlink_status(file, none)) && !has_mark(file, "\"provenance/1\"")) throw other_content(file);
 }
 
 std::string printed(const std::filesystem::path& path) {

@@ -26,6 +26,9 @@ void require_writable(const std::vector<std::filesystem::path>& files);
 /// An option --force of a command that calls keep_others() or one of the other functions below.
 void add_force_option(CLI::App& command, bool& force);
 
+/// That a file is there which only --force replaces.
+[[nodiscard]] text::OutputError other_content(const std::filesystem::path& file);
+
 /// Throws text::OutputError naming the first file of `folder` that has another content than was written for it so far,
 /// unless `force`: records of a laboratory have the names of a data set's, too. The same command again changes nothing.
 void keep_others(text::OutputFolder& folder, bool force);
@@ -47,12 +50,10 @@ inline constexpr std::string_view json_mark = ",\n";
 /// The same of a table that is made again and again: what begins with the header of these columns may be replaced.
 void keep_other_table(const text::OutputFile& file, std::span<const std::string> columns, bool force);
 
-/// Throws text::OutputError naming the first of `names` that is in `folder`, unless `force` or an earlier run of the
-/// same command wrote it: the first of them is then there and has `mark` near its beginning.
-void keep_results_of_others(const std::filesystem::path& folder, std::span<const char* const> names,
-                            std::string_view mark, bool force);
+/// Whether a file has `mark` near its beginning, as one that an earlier run of this program wrote.
+[[nodiscard]] bool has_mark(const std::filesystem::path& file, std::string_view mark);
 
-/// The same of the provenance.json alone, of any run.
+/// Throws text::OutputError where the folder has a provenance.json that no run wrote, unless `force`.
 void keep_other_provenance(const std::filesystem::path& folder, bool force);
 
 /// --json of a command that writes files.

@@ -18,24 +18,21 @@
 #include "progress_line.hpp"
 #include "report_option.hpp"
 #include "run_archive.hpp"
+#include "run_files.hpp"
 #include "study_run.hpp"
 
 namespace coilwright::cli {
 namespace {
 
-ExitCode end_pareto_part(text::OutputFolder& folder, formats::PartFile part, const sizing::ParetoResult& result,
-                         std::uint64_t seed) {
-  formats::SearchPart found{.seed = seed,
-                            .stop_reason = std::string(sizing::name_of(result.stop_reason)),
-                            .evaluations = result.evaluations,
-                            .feasible = !result.front.empty()};
+ExitCode end_pareto_part(text::OutputFolder& folder, formats::PartFile part, const sizing::ParetoResult& result) {
+  formats::SearchPart found{.stop_reason = std::string(sizing::name_of(result.stop_reason)),
+                            .evaluations = result.evaluations};
   const auto add = [&](const sizing::Record& record) {
     found.found.push_back({.index = record.number, .point = record.point, .evaluation = record.evaluation});
   };
   for (const sizing::Record& record : result.front) add(record);
   if (result.least_infeasible) add(*result.least_infeasible);
-  part.results = formats::to_json(found);
-  write_part(folder, part);
+  write_part(folder, std::move(part), formats::to_json(found));
   return ExitCode::done;
 }
 
@@ -61,7 +58,7 @@ ExitCode run_pareto(const StudyOptions& options, const PartOptions& part_options
   archive.write_results([&] {
     formats::write_pareto(folder, study, result, broken);
     folder.write(results::provenance_name, to_json(input.provenance).text());
-    folder.remove(part_name);
+    remove_other_run(folder, "result.json");
     folder.commit("result.json");
   });
   archive.end(sizing::name_of(result.stop_reason), interruption, records);
@@ -70,7 +67,7 @@ ExitCode run_pareto(const StudyOptions& options, const PartOptions& part_options
                                : report::to_text(study, result, broken));
   archive.require_written();
   if (interruption.requested()) return ExitCode::interrupted;
-  if (part) return end_pareto_part(folder, *std::move(part), result, study.search.seed);
+  if (part) return end_pareto_part(folder, *std::move(part), result);
   return result.front.empty() ? ExitCode::infeasible : ExitCode::done;
 }
 

@@ -12,10 +12,12 @@
 #include <vector>
 
 #include "archive_contents.hpp"
+#include "coilwright/results/sha256.hpp"
 #include "coilwright/sizing/study/sweep.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "options.hpp"
 #include "outputs.hpp"
+#include "run_files.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -133,15 +135,24 @@ archive::Contents whole_of(const results::Provenance& provenance, const std::str
   return whole;
 }
 
-void write_part(text::OutputFolder& folder, const formats::PartFile& part) {
-  const std::string text = formats::to_json(part).text();
-  if (text.size() > text::json_size_limit)
-    throw std::runtime_error(
-        fmt::format("{}: keeps so many designs that part.json would be longer than {} MB: take more "
-                    "parts, or --keep feasible",
-                    printed(folder.path()), text::json_size_limit / 1'000'000));
-  folder.write(part_name, text);
-  folder.commit();
+void write_part(text::OutputFolder& folder, formats::PartFile part, std::optional<text::Json> results) {
+  part.files.clear();
+  for (const std::filesystem::path& file : files_of_part_in(folder.path()))
+    part.files.push_back(
+        {.name = file.filename().string(), .bytes = file_size(file), .sha256 = results::sha256_of_file(file)});
+  if (results) {
+    const std::string found =
+        formats::found_json(results::sha256(formats::to_json(part).text()), *std::move(results)).text();
+    if (found.size() > text::json_size_limit)
+      throw std::runtime_error(
+          fmt::format("{}: keeps so many designs that {} would be longer than {} MB: take more "
+                      "parts, or --keep feasible",
+                      printed(folder.path()), formats::found_name, text::json_size_limit / 1'000'000));
+    part.files.push_back({.name = formats::found_name, .bytes = found.size(), .sha256 = results::sha256(found)});
+    folder.write(formats::found_name, found);
+  }
+  folder.write(part_name, formats::to_json(part).text());
+  folder.commit(part_name);
   std::cout << fmt::format("{}: part {} of {} of {} {}\n", printed(folder.path()), part.part.number, part.part.of,
                            part.whole.command, part.whole.study);
 }

@@ -50,7 +50,8 @@ void require_figures_of_head(const PartOptions& options, const formats::Machine&
 [[nodiscard]] archive::Contents whole_of(const results::Provenance& provenance, const std::string& study,
                                          std::string how);
 
-/// Writes part.json into a folder, which may be locked, and says so in a line of standard output.
-void write_part(text::OutputFolder& folder, const formats::PartFile& part);
+/// Writes part.json, and the results as found.json where there are any, into a folder, which may be locked and has all
+/// other files of the part, and says so in a line of standard output. part.json names each of them with its digest.
+void write_part(text::OutputFolder& folder, formats::PartFile part, std::optional<text::Json> results = {});
 
 }  // namespace coilwright::cli

@@ -54,7 +54,6 @@ void write_page(const page::Page& content, const std::filesystem::path& file, co
     if (!drawn.why.empty()) std::cerr << drawn.why << ".\n";
   }
   out.stream() << results::html_of(content);
-  constexpr std::string_view page_mark = "'nonce-";  // what follows is of one page alone
   keep_other_kind(out, page_mark, options.force);
   if (figures) {
     keep_others(*figures, options.force);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "coilwright/page/page.hpp"
 
@@ -12,6 +13,9 @@ namespace coilwright::cli {
 
 /// The name of the page in a folder of results.
 inline constexpr const char* report_name = "report.html";
+
+/// Up to here, near its beginning, every page of this program is the same.
+inline constexpr std::string_view page_mark = "'nonce-";
 
 /// What is wrong with a name for a page; empty where nothing is.
 [[nodiscard]] std::string page_name_complaint(const std::string& name);

@@ -16,6 +16,7 @@
 #include "coilwright/units/unit.hpp"
 #include "options.hpp"
 #include "outputs.hpp"
+#include "run_files.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -43,7 +44,7 @@ void write(const RigOptions& options, const RigActuator& actuator, const RigResu
   const std::string name = fmt::format("{}, {}", actuator.name, result.rig);
   folder.write("dataset.json", formats::dataset_json(name, actuator_name, in_roles).text());
   folder.write(actuator_name, declared_text(options, actuator, result));
-  keep_others(folder, options.force);
+  take_folder(folder, "dataset.json", options.force);
   keep_other_provenance(folder.path(), options.force);
   folder.write(results::provenance_name,
                to_json(results::Provenance{.command = "rig " + result.rig,
@@ -97,8 +98,9 @@ void run_rig(const RigOptions& options,
              const std::function<RigResult(const actuator::Design& design, magnetics::Fidelity fidelity)>& readings) {
   std::optional<text::OutputFolder> trial;
   if (!options.out.empty()) {
-    keep_inputs({options.actuator.file}, {folder_of(options) / actuator_name, folder_of(options) / "dataset.json",
-                                          folder_of(options) / results::provenance_name});
+    std::vector<std::filesystem::path> outputs = run_files_in(folder_of(options));
+    outputs.push_back(folder_of(options) / "dataset.json");
+    keep_inputs({options.actuator.file}, outputs);
     trial.emplace(folder_of(options));
   }
   const RigActuator actuator = read_rig_actuator(options);

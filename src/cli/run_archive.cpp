@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <iostream>
 #include <memory>
@@ -20,18 +20,12 @@
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "outputs.hpp"
-#include "part_run.hpp"
-#include "report_option.hpp"
+#include "run_files.hpp"
 
 namespace coilwright::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-// What a run of a study leaves, beside its archive.
-constexpr std::array<std::string_view, 10> results{"result.json", "actuator.json", "evaluations.csv", "convergence.csv",
-                                                   "front.csv",   "designs.csv",   "best.csv",        "provenance.json",
-                                                   part_name,     report_name};
 
 // Designs of an archive that are evaluated again before it is trusted.
 constexpr std::size_t samples = 3;
@@ -40,17 +34,11 @@ text::InputError refusal(const fs::path& path, std::string rule) {
   return text::InputError({.file = path.string(), .place = {}, .rule = std::move(rule), .value = {}});
 }
 
-bool holds_results(const fs::path& folder) {
-  std::error_code error;
-  return std::ranges::any_of(results, [&](std::string_view name) { return fs::exists(folder / name, error); });
-}
-
 // --out . beside the study, say: its actuator.json would be taken for a result.
 void keep_inputs_of(const StudyInput& input, const fs::path& folder) {
-  std::vector<fs::path> inputs, outputs{folder / archive_name};
+  std::vector<fs::path> inputs;
   for (const results::InputRecord& each : input.provenance.inputs) inputs.emplace_back(each.file);
-  for (const std::string_view name : results) outputs.push_back(folder / name);
-  keep_inputs(inputs, outputs);
+  keep_inputs(inputs, run_files_in(folder));
 }
 
 void require_same_numbers(const archive::Reader& found, const sizing::DesignProblem& problem, std::string_view advice) {
@@ -101,24 +89,43 @@ RunArchive::RunArchive(const StudyOptions& options, const StudyInput& input, con
 void RunArchive::open(const StudyOptions& options, const archive::Contents& asked,
                       const sizing::DesignProblem& problem) {
   std::error_code error;
+  // "sweep --part 3/40" is a sweep.
+  const std::string_view command = std::string_view(asked.command).substr(0, asked.command.find(' '));
+  const std::vector<fs::path> results = run_files_in(folder_.path());
+  keep_other_run(folder_.path(), command, true);
   if (!options.force && fs::exists(fs::symlink_status(path_, error))) {
     auto found = std::make_shared<const archive::Reader>(path_);
     const std::string other_program = require_same_run(*found, asked, problem, options.resume);
     const std::size_t designs = found->size();
     if (designs > 0 && !options.resume && !is_finished(*found)) throw unfinished(*found, designs);
+    keep_other_run(folder_.path(), command, false);
     require_same_numbers(*found, problem, "--force starts anew");
     if (!other_program.empty()) say(other_program);
     if (designs > 0) sources_.known = std::move(found);
   } else {
-    if (!options.force && holds_results(folder_.path()))
+    const bool holds_results = std::ranges::any_of(results, [](const fs::path& file) {
+      std::error_code none;
+      return !is_of_archive(file.filename().string()) && fs::exists(file, none);
+    });
+    if (holds_results && !options.force)
       throw refusal(folder_.path(),
                     "holds results without an archive: --force replaces them, another --out keeps them");
-    archive::create(path_, asked);
     if (options.force)
-      for (const std::string_view name : results) fs::remove(folder_.path() / name, error);
+      replace_run(asked);
+    else
+      archive::create(path_, asked);
   }
-  text::remove_left_parts(path_);
-  for (const std::string_view name : results) text::remove_left_parts(folder_.path() / name);
+  for (const fs::path& file : results) text::remove_left_parts(file);
+}
+
+// The new archive is on the disk before anything of the other run goes, and has its name when nothing of that is left.
+void RunArchive::replace_run(const archive::Contents& asked) {
+  const fs::path fresh = folder_.path() / fmt::format(".{}.part-{}", archive_name, getpid());
+  archive::create(fresh, asked);
+  remove_other_run(folder_, "");
+  remove_other_archive(folder_);
+  folder_.commit();
+  fs::rename(fresh, path_);
 }
 
 bool RunArchive::is_finished(const archive::Reader& found) const {

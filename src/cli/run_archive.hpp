@@ -24,7 +24,7 @@ namespace coilwright::cli {
 /// A folder is taken as it is where it holds nothing of a run, or a finished run of the very same question, whose
 /// designs then answer it. With --resume also where that run was not finished, had another budget, or is of another
 /// program, and this one gives three of its feasible designs (the first, one in the middle, the last) to the last bit.
-/// With --force what it holds is replaced. Anything else is refused in one line, and nothing is changed.
+/// With --force the run that it holds is replaced. Anything else is refused in one line, and nothing is changed.
 class RunArchive {
  public:
   /// `max_evaluations` is the budget of a search. Throws InputError and text::OutputError as above, and where the
@@ -50,6 +50,7 @@ class RunArchive {
 
  private:
   void open(const StudyOptions& options, const archive::Contents& asked, const sizing::DesignProblem& problem);
+  void replace_run(const archive::Contents& asked);
   [[nodiscard]] bool is_finished(const archive::Reader& found) const;
   [[nodiscard]] text::InputError unfinished(const archive::Reader& found, std::size_t designs) const;
   // What to say of another program whose designs are gone on with; else empty.

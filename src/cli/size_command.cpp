@@ -24,6 +24,7 @@
 #include "progress_line.hpp"
 #include "report_option.hpp"
 #include "run_archive.hpp"
+#include "run_files.hpp"
 #include "study_run.hpp"
 
 namespace coilwright::cli {
@@ -72,17 +73,13 @@ std::vector<simulation::CorrectionReach> reach_of(const std::optional<DesignResu
   return simulation::correction_reach(view.assembly.model, view.performance.cold, view.point.current);
 }
 
-ExitCode end_size_part(text::OutputFolder& folder, formats::PartFile part, const sizing::SearchResult& result,
-                       std::uint64_t seed) {
-  formats::SearchPart found{.seed = seed,
-                            .stop_reason = std::string(sizing::name_of(result.stop_reason)),
-                            .evaluations = result.search_evaluations,
-                            .feasible = result.feasible};
+ExitCode end_size_part(text::OutputFolder& folder, formats::PartFile part, const sizing::SearchResult& result) {
+  formats::SearchPart found{.stop_reason = std::string(sizing::name_of(result.stop_reason)),
+                            .evaluations = result.search_evaluations};
   if (result.best)
     found.found.push_back(
         {.index = result.best->number, .point = result.best->point, .evaluation = result.best->evaluation});
-  part.results = formats::to_json(found);
-  write_part(folder, part);
+  write_part(folder, std::move(part), formats::to_json(found));
   return ExitCode::done;
 }
 
@@ -107,8 +104,8 @@ ExitCode run_size(const StudyOptions& options, const PartOptions& part_options) 
   const formats::SizeReport answer = formats::size_report(problem, result, after);
   archive.write_results([&] {
     folder.write(results::provenance_name, to_json(input.provenance).text());
-    folder.remove(part_name);
     formats::write_size(folder, problem, answer);
+    remove_other_run(folder, "result.json");
     folder.commit("result.json");
   });
   archive.end(sizing::name_of(result.stop_reason), interruption, result.archive.records());
@@ -124,7 +121,7 @@ ExitCode run_size(const StudyOptions& options, const PartOptions& part_options) 
   }
   archive.require_written();
   if (interruption.requested()) return ExitCode::interrupted;
-  if (part) return end_size_part(folder, *std::move(part), result, problem.study().search.seed);
+  if (part) return end_size_part(folder, *std::move(part), result);
   return result.feasible ? ExitCode::done : ExitCode::infeasible;
 }
 

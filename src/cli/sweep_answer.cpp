@@ -68,9 +68,7 @@ std::function<void(const sizing::SweptDesign&)> write_rows(text::OutputFolder& f
                                                            const sizing::DesignProblem& problem,
                                                            const SweepRequest& request,
                                                            const sizing::SweepSummary& summary) {
-  using enum sizing::Keep;
-  if (request.keep == best) folder.remove(rows_name);
-  if (request.keep == best || request.keep == front) return [](const sizing::SweptDesign&) {};
+  if (!has_rows_at_once(request.keep)) return [](const sizing::SweptDesign&) {};
   return [&summary, write_row = formats::write_sweep(folder.open(rows_name), problem.study())](
              const sizing::SweptDesign& design) {
     if (summary.is_row(design)) write_row(design);

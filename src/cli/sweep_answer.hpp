@@ -49,6 +49,11 @@ void require_grid(const sizing::DesignProblem& problem, const std::string& study
 
 inline constexpr const char* rows_name = "designs.csv";
 
+/// Whether the rows of a sweep are known design by design: of the front they are known at the end, of the best never.
+[[nodiscard]] constexpr bool has_rows_at_once(sizing::Keep keep) {
+  return keep == sizing::Keep::all || keep == sizing::Keep::feasible;
+}
+
 /// Opens designs.csv; what writes a row of it. Where a request has no rows, or has them at the end, it writes nothing.
 [[nodiscard]] std::function<void(const sizing::SweptDesign&)> write_rows(text::OutputFolder& folder,
                                                                          const sizing::DesignProblem& problem,

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "coilwright/formats/study/part_file.hpp"
-#include "coilwright/results/sha256.hpp"
 #include "coilwright/sizing/study/sweep_summary.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_folder.hpp"
@@ -24,6 +23,7 @@
 #include "progress_line.hpp"
 #include "report_option.hpp"
 #include "run_archive.hpp"
+#include "run_files.hpp"
 #include "study_run.hpp"
 #include "sweep_answer.hpp"
 
@@ -66,14 +66,12 @@ SweptDesigns designs_of(const SweepCommandOptions& options, const sizing::Design
 
 void end_sweep_part(text::OutputFolder& folder, const SweepRequest& request, formats::PartFile part,
                     const sizing::SweepSummary& summary) {
-  const std::filesystem::path rows = folder.path() / rows_name;
-  part.results = formats::to_json(formats::SweepPart{.count = request.count,
-                                                     .keep = request.keep,
-                                                     .sample = request.sample,
-                                                     .rows_sha256 = exists(rows) ? results::sha256_of_file(rows) : "",
-                                                     .totals = summary.totals(),
-                                                     .kept = summary.kept()});
-  write_part(folder, part);
+  write_part(folder, std::move(part),
+             formats::to_json(formats::SweepPart{.count = request.count,
+                                                 .keep = request.keep,
+                                                 .sample = request.sample,
+                                                 .totals = summary.totals(),
+                                                 .kept = summary.kept()}));
 }
 
 ExitCode run_sweep(const SweepCommandOptions& sweep_options) {
@@ -128,7 +126,7 @@ ExitCode run_sweep(const SweepCommandOptions& sweep_options) {
   if (archive.is_writing())
     archive.write_results([&] {
       if (answer) answer->write(folder, input.provenance);
-      folder.remove(part_name);
+      remove_other_run(folder, "result.json");
       folder.commit("result.json");
     });
   archive.end(made < count ? sizing::name_of(sizing::StopReason::interrupted) : "complete", interruption, {});

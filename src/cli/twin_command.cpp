@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@
 #include "experiment_options.hpp"
 #include "options.hpp"
 #include "outputs.hpp"
+#include "run_files.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -71,6 +73,7 @@ void check_output(const TwinOptions& options, const Experiment& experiment) {
     outputs.push_back(folder / each.plan.name);
     if (each.input_rate > 0.0) outputs.push_back(folder / formats::input_file_name(each.plan.name));
   }
+  std::ranges::move(run_files_in(folder), std::back_inserter(outputs));
   keep_inputs({options.actuator, options.experiment.file}, outputs);
 }
 
@@ -106,7 +109,7 @@ void write(const TwinOptions& options, const Experiment& experiment, const std::
   }
   folder.write("dataset.json", formats::dataset_json(experiment.name, actuator_name, in_roles).text());
   folder.write(actuator_name, bytes_of(options.actuator));
-  keep_others(folder, options.force);
+  take_folder(folder, "dataset.json", options.force);
   keep_other(answer, options.force);
   keep_other_provenance(out, options.force);
   // Neither effects nor seed, by which they could be found.

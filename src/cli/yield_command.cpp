@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -14,14 +15,15 @@
 #include "coilwright/formats/study/study_file.hpp"
 #include "coilwright/report/yield_text.hpp"
 #include "coilwright/results/provenance.hpp"
-#include "coilwright/results/sha256.hpp"
 #include "coilwright/sizing/study/yield.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
 #include "options.hpp"
+#include "outputs.hpp"
 #include "part_run.hpp"
+#include "run_files.hpp"
 #include "study_run.hpp"
 #include "yield_study.hpp"
 
@@ -41,6 +43,7 @@ struct YieldCommandOptions {
   std::string out;
   bool quiet = false;
   bool json = false;
+  bool force = false;
 };
 
 YieldQuestion question_of(const YieldCommandOptions& options) {
@@ -71,19 +74,22 @@ ExitCode run_yield_part(const YieldCommandOptions& options, const YieldQuestion&
                          .whole = whole_of(yield_provenance(options, question), study.name, how_text),
                          .machine = this_machine(sizing::DesignProblem(study))};
   require_figures_of_head(options.part, part.machine);
+  std::vector<std::filesystem::path> inputs;
+  for (const archive::Input& input : part.whole.inputs) inputs.emplace_back(input.file);
+  keep_inputs(inputs, run_files_in(options.out));
   text::OutputFolder folder(options.out);
   folder.lock();
+  keep_other_run(folder.path(), "yield", options.force);
   const std::optional<std::vector<sizing::Build>> builds =
       sizing::builds_in(study, design, how, sizing::range_of(part.part, sizing::builds_of(study, how)));
   if (!builds) return ExitCode::interrupted;
   formats::write_builds(folder.open(builds_name), *builds);
+  remove_other_run(folder, builds_name);
+  if (options.force) remove_other_archive(folder);
   folder.commit();
-  part.results =
-      formats::to_json(formats::YieldPart{.builds = options.builds,
-                                          .worth_builds = options.worth_builds,
-                                          .current = options.current,
-                                          .rows_sha256 = results::sha256_of_file(folder.path() / builds_name)});
-  write_part(folder, part);
+  write_part(folder, std::move(part),
+             formats::to_json(formats::YieldPart{
+                 .builds = options.builds, .worth_builds = options.worth_builds, .current = options.current}));
   return ExitCode::done;
 }
 
@@ -144,6 +150,8 @@ void add_yield_command(CLI::App& app, Outcome& outcome) {
   CLI::Option* out =
       command->add_option("--out", options->out, "Folder of the part; it is created if it does not exist")
           ->needs(command->get_option("--part"));
+  add_force_option(*command, options->force);
+  command->get_option("--force")->needs(out);
   command->get_option("--part")->needs(out);
   command->footer(
       "Every number of the study's spread is drawn anew for each build, by dice that know nothing of those by which a\n"

@@ -29,6 +29,11 @@ Page page_of(const std::filesystem::path& folder, const std::filesystem::path& f
 Page page_of(const std::filesystem::path& folder, const PageInputs& inputs) {
   if (!std::filesystem::is_directory(folder))
     throw text::InputError({.file = folder.string(), .rule = "must be a folder of results"});
+  if (std::filesystem::is_regular_file(folder / "result.json") &&
+      std::filesystem::is_regular_file(folder / diagnosis_name))
+    throw text::InputError({.file = folder.string(),
+                            .rule = "has the results of two runs, result.json and diagnosis.json: move one of them, "
+                                    "with what belongs to it, to a folder of its own"});
   for (const char* name : {"result.json", diagnosis_name}) {
     const std::filesystem::path file = folder / name;
     if (!std::filesystem::is_regular_file(file)) continue;

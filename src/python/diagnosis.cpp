@@ -21,6 +21,7 @@
 #include "coilwright/results/page_file.hpp"
 #include "coilwright/text/output/file_name.hpp"
 #include "coilwright/text/output/output_file.hpp"
+#include "coilwright/text/output/output_folder.hpp"
 #include "python/actuator.hpp"
 #include "python/bindings.hpp"
 #include "python/held_function.hpp"
@@ -44,8 +45,9 @@ struct Diagnosed {
     formats::write_residuals(out, diagnosis.replays);
     return out.str();
   }
-  void write(const std::string& folder) const {
+  void write(const std::string& out) const {
     const py::gil_scoped_release others_run;
+    text::OutputFolder folder(out);
     results::write_diagnosis(diagnosis, asked, answer, folder);
   }
 };

@@ -117,8 +117,7 @@ DiagnosisAnswer answer_of(const Diagnosis& diagnosis, const AskedDiagnosis& aske
 }
 
 void write_diagnosis(const Diagnosis& diagnosis, const AskedDiagnosis& asked, const DiagnosisAnswer& answer,
-                     const std::string& out) {
-  text::OutputFolder folder(out);
+                     text::OutputFolder& folder) {
   const auto write_or_remove = [&](const char* name, const std::string& text) {
     if (text.empty())
       folder.remove(name);  // one of an earlier diagnosis must not stand beside this one

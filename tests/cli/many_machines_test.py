@@ -301,6 +301,29 @@ class Workflows(InParts):
             subprocess.run(["sh", "parallel.sh"], cwd=work, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             self.assertEqual(results_of(work / "result"), whole)
 
+    def test_every_file_of_a_part_comes_back_from_the_machine_that_made_it(self):
+        """Where nothing is shared, an engine brings what the workflow names, and merge misses whatever it does not."""
+        if not engine.is_installed():
+            self.skipTest("makeflow is not installed")
+        write_study(self, variables=GRID, search={"max_evaluations": 10, "seed": 5}, spread=SPREAD)
+        (self.folder / "study.json").rename(self.folder / "spread.json")
+        write_study(self, objectives=FRONT, search={"max_evaluations": 20, "seed": 5})
+        (self.folder / "study.json").rename(self.folder / "front.json")
+        write_study(self, variables=GRID, search={"max_evaluations": 10, "seed": 5})
+        self.write("rod.json", json.dumps(ROD))
+        self.write("plan.json", json.dumps({**PLAN, "sampling_rate_Hz": 40}))
+        self.ok("twin", "rod.json", "--experiment", "plan.json", "--out", "sticky", "--effect", "dry_friction:torque_Nmm=25")
+        for kind, arguments, result in (("sweep", ["study.json", "--parts", "2"], "result.json"),
+                                        ("size", ["study.json", "--parts", "2", "--options", "--answer-only"], "seeds.json"),
+                                        ("pareto", ["front.json", "--parts", "2"], "seeds.json"),
+                                        ("yield", ["spread.json", "finger.json", "--parts", "2", "--options", "--builds 20"], "result.json"),
+                                        ("diagnose", ["sticky"], "diagnoses.csv")):
+            with self.subTest(kind):
+                self.ok("distribute", *arguments, "--as", kind, "--out", kind)
+                with engine.Engine(self.folder / kind, workers=1) as workflow:
+                    self.assertEqual(workflow.wait(), 0, (self.folder / kind / "engine.log").read_text()[-2000:])
+                self.assertTrue((self.folder / kind / "result" / result).exists())
+
     def test_killed_workers_and_masters_change_no_byte(self):
         if not engine.is_installed():
             print("SKIPPED: makeflow and work_queue_worker are not installed (Debian: coop-computing-tools)", file=sys.stderr)

@@ -6,6 +6,7 @@
 #include "coilwright/measurement/diagnosis.hpp"
 #include "coilwright/results/asked_diagnosis.hpp"
 #include "coilwright/results/provenance.hpp"
+#include "coilwright/text/output/output_folder.hpp"
 
 namespace coilwright::results {
 
@@ -26,9 +27,9 @@ struct DiagnosisAnswer {
 /// What a diagnosis, or what is known of one that was interrupted, says. The actuators are read back first.
 [[nodiscard]] DiagnosisAnswer answer_of(const measurement::Diagnosis& diagnosis, const AskedDiagnosis& asked);
 
-/// Writes it into a folder, all files or none. Files of an earlier diagnosis that this one has none of are removed.
-/// Throws text::OutputError.
+/// Writes it into a folder and commits it, all files or none. Files of an earlier diagnosis that this one has none of
+/// are removed. Throws text::OutputError.
 void write_diagnosis(const measurement::Diagnosis& diagnosis, const AskedDiagnosis& asked,
-                     const DiagnosisAnswer& answer, const std::string& folder);
+                     const DiagnosisAnswer& answer, text::OutputFolder& folder);
 
 }  // namespace coilwright::results

@@ -13,6 +13,7 @@
 #include "cli/actuator_input.hpp"
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
+#include "cli/run_files.hpp"
 #include "coilwright/formats/data/dataset_file.hpp"
 #include "coilwright/formats/data/lens_file.hpp"
 #include "coilwright/formats/simulation/commanded_input_file.hpp"
@@ -311,6 +312,11 @@ void track_films(const TrackOptions& options) {
   for (std::size_t i = 0; i < runs.size(); ++i) write_film(folder, films[i], runs[i]);
   if (!options.logs.empty()) write_set(folder, options, runs);
   keep_others(folder, options.force);
+  // A person may have put the declared actuator there, or the set to which these films are to come.
+  const auto own = [&](std::string_view name) {
+    return folder.has(name) || name == actuator_name || name == "dataset.json";
+  };
+  keep_other_run(folder.path(), own, false);
   folder.commit(options.logs.empty() ? "" : "dataset.json");
   if (options.json)
     std::cout << films_json(options, films, advice).text();

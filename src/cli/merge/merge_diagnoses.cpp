@@ -5,8 +5,8 @@
 #include <optional>
 #include <sstream>
 
-#include "cli/outputs.hpp"
 #include "cli/part_run.hpp"
+#include "cli/run_files.hpp"
 #include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/output/output_folder.hpp"
@@ -28,9 +28,14 @@ text::Node required(const text::Node& node, std::string_view key) {
   throw node.error_without_value(fmt::format("needs \"{}\"", key));
 }
 
-DiagnosedSet diagnosed_set(const std::filesystem::path& folder, const std::string& set) {
-  const text::Document document = text::read_json(folder / "diagnosis.json");
-  DiagnosedSet out{.set = set, .verdict = required(document.root(), "verdict").text(), .folder = folder.string()};
+DiagnosedSet diagnosed_set(const PartFolder& part) {
+  const text::Document document = document_of(part, "diagnosis.json");
+  const text::Document provenance = document_of(part, results::provenance_name);
+  const text::Node inputs = required(provenance.root(), "inputs");
+  const std::filesystem::path set(required(inputs.elements(text::Length::at_least(1)).front(), "file").text());
+  DiagnosedSet out{.set = set.parent_path().string(),
+                   .verdict = required(document.root(), "verdict").text(),
+                   .folder = part.path.string()};
   for (const text::Node& effect : required(document.root(), "effects").elements())
     out.effects.push_back(required(effect, "id").text());
   return out;
@@ -46,9 +51,7 @@ text::Json to_json(const DiagnosedSet& set) {
 ExitCode merge_diagnoses(const MergeOptions& options, const Parts& parts) {
   require_figures_of_parts(parts, this_machine());
   std::vector<DiagnosedSet> sets;
-  for_each_part(parts, [&](std::size_t, const std::filesystem::path& folder, const text::Node& results) {
-    sets.push_back(diagnosed_set(folder, results.text()));
-  });
+  for_each_part(parts, [&](std::size_t, const PartFolder& part) { sets.push_back(diagnosed_set(part)); });
   std::ostringstream table;
   text::CsvWriter csv(table, {"set", "verdict", "effects", "folder"});
   for (const DiagnosedSet& each : sets) {
@@ -57,8 +60,8 @@ ExitCode merge_diagnoses(const MergeOptions& options, const Parts& parts) {
   }
   text::OutputFolder folder(options.out);
   folder.write("diagnoses.csv", table.str());
-  keep_others(folder, options.force);
-  folder.commit();
+  take_folder(folder, "diagnoses.csv", options.force);
+  folder.commit("diagnoses.csv");
   std::cout << (options.json ? text::Json::list(sets, [](const DiagnosedSet& each) { return to_json(each); }).text()
                              : table.str());
   return ExitCode::done;

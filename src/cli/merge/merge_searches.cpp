@@ -1,17 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <fstream>
+#include <cstdint>
 #include <iostream>
 
 #include "cli/archive/opened_archive.hpp"
-#include "cli/outputs.hpp"
 #include "cli/part_run.hpp"
+#include "cli/run_files.hpp"
 #include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/formats/study/result_json.hpp"
 #include "coilwright/sizing/problem/front.hpp"
-#include "coilwright/text/opened_file.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "parts.hpp"
 
@@ -19,10 +17,6 @@ namespace coilwright::cli {
 namespace {
 
 constexpr const char* seeds_name = "seeds.json";
-
-// What `size` leaves, of which the best seed's is the answer.
-constexpr std::array files_of_size{"result.json", "actuator.json", "evaluations.csv", "convergence.csv",
-                                   results::provenance_name};
 
 // A design of a search and the seed that found it.
 struct FoundDesign {
@@ -32,9 +26,8 @@ struct FoundDesign {
 
 std::vector<formats::SearchPart> searches_of(const Parts& parts) {
   std::vector<formats::SearchPart> out;
-  for_each_part(parts, [&](std::size_t, const std::filesystem::path&, const text::Node& results) {
-    out.push_back(formats::read_search_part(results));
-  });
+  for_each_part(
+      parts, [&](std::size_t, const PartFolder& part) { out.push_back(results_of(part, formats::read_search_part)); });
   return out;
 }
 
@@ -42,7 +35,7 @@ std::vector<FoundDesign> feasible_of(const std::vector<formats::SearchPart>& sea
   std::vector<FoundDesign> out;
   for (std::size_t i = 0; i < searches.size(); ++i)
     for (const sizing::SweptDesign& design : searches[i].found)
-      if (searches[i].feasible)
+      if (searches[i].is_feasible())
         out.push_back({.search = i, .record = {.point = design.point, .evaluation = design.evaluation}});
   return out;
 }
@@ -66,6 +59,7 @@ struct SeedsReport {
   const std::vector<formats::SearchPart>& searches;
   const std::vector<FoundDesign>& answer;
 
+  [[nodiscard]] std::uint64_t seed_of(std::size_t search) const { return whole.seed.value() + search; }
   [[nodiscard]] std::size_t in_answer(std::size_t search) const {
     return static_cast<std::size_t>(std::ranges::count(answer, search, &FoundDesign::search));
   }
@@ -75,10 +69,10 @@ text::Json to_json(const SeedsReport& report) {
   text::Json seeds = text::Json::array();
   for (std::size_t i = 0; i < report.searches.size(); ++i) {
     const formats::SearchPart& each = report.searches[i];
-    text::Json entry = text::Json::object({{"seed", each.seed},
+    text::Json entry = text::Json::object({{"seed", report.seed_of(i)},
                                            {"stop_reason", each.stop_reason},
                                            {"evaluations", each.evaluations},
-                                           {"feasible", each.feasible},
+                                           {"feasible", each.is_feasible()},
                                            {"found", each.found.size()},
                                            {"in_answer", report.in_answer(i)}});
     if (report.study.objectives.size() == 1 && !each.found.empty())
@@ -95,16 +89,16 @@ text::Json to_json(const SeedsReport& report) {
 std::string to_text(const SeedsReport& report) {
   std::string out;
   for (std::size_t i = 0; i < report.searches.size(); ++i)
-    out += fmt::format("seed {}: {} evaluations, {} designs found{}, {} of them in the answer\n",
-                       report.searches[i].seed, report.searches[i].evaluations, report.searches[i].found.size(),
-                       report.searches[i].feasible ? "" : " (infeasible)", report.in_answer(i));
+    out += fmt::format("seed {}: {} evaluations, {} designs found{}, {} of them in the answer\n", report.seed_of(i),
+                       report.searches[i].evaluations, report.searches[i].found.size(),
+                       report.searches[i].is_feasible() ? "" : " (infeasible)", report.in_answer(i));
   return out;
 }
 
 void write_seeds(const MergeOptions& options, text::OutputFolder& folder, const SeedsReport& report) {
   const text::Json seeds = to_json(report);
   folder.write(seeds_name, seeds.text());
-  keep_others(folder, options.force);
+  take_folder(folder, seeds_name, options.force);
   folder.commit(seeds_name);
   std::cout << (options.json ? seeds.text() : to_text(report));
 }
@@ -114,8 +108,8 @@ std::size_t best_search_of(const sizing::Problem& problem, const std::vector<for
   const auto rank = [&](const formats::SearchPart& each) {
     if (each.found.empty()) return std::tuple(2, 0.0);
     const sizing::Evaluation& evaluation = each.found.front().evaluation;
-    return each.feasible ? std::tuple(0, sizing::minimised(problem, evaluation).front())
-                         : std::tuple(1, sizing::violation(evaluation));
+    return each.is_feasible() ? std::tuple(0, sizing::minimised(problem, evaluation).front())
+                              : std::tuple(1, sizing::violation(evaluation));
   };
   return static_cast<std::size_t>(std::ranges::min_element(searches, {}, rank) - searches.begin());
 }
@@ -128,15 +122,14 @@ ExitCode merge_size(const MergeOptions& options, const Parts& parts) {
   const std::vector<formats::SearchPart> searches = searches_of(parts);
   const std::size_t best = best_search_of(problem.problem(), searches);
   text::OutputFolder folder(options.out);
-  for (const char* name : files_of_size) {
-    const std::filesystem::path from = parts.folders[best] / name;
-    if (!exists(from)) continue;  // none of a seed that found no design
-    std::ifstream file = text::opened(from);
-    text::copy_rest(file, from, folder.open(name));
-  }
+  // No actuator.json of a seed that found no design.
+  for (const formats::FileOfPart& file : parts.folders[best].files)
+    if (file.name != formats::found_name)
+      read_file_of(parts.folders[best], file.name,
+                   [&out = folder.open(file.name)](std::string_view block) { out << block; });
   const std::vector<FoundDesign> answer{{.search = best}};
   write_seeds(options, folder, {problem.study(), parts.whole, searches, answer});
-  return searches[best].feasible ? ExitCode::done : ExitCode::infeasible;
+  return searches[best].is_feasible() ? ExitCode::done : ExitCode::infeasible;
 }
 
 ExitCode merge_pareto(const MergeOptions& options, const Parts& parts) {

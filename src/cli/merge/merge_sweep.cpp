@@ -1,24 +1,26 @@
-#include <fstream>
+#include <optional>
 #include <ostream>
-#include <string>
+#include <string_view>
 
 #include "cli/archive/opened_archive.hpp"
-#include "cli/outputs.hpp"
 #include "cli/part_run.hpp"
+#include "cli/run_files.hpp"
 #include "cli/sweep_answer.hpp"
 #include "coilwright/formats/study/design_tables.hpp"
-#include "coilwright/text/opened_file.hpp"
 #include "parts.hpp"
 
 namespace coilwright::cli {
 namespace {
 
 // All rows but the header, as they are.
-void copy_rows(const std::filesystem::path& table, std::ostream& out) {
-  std::ifstream rows = text::opened(table);
-  std::string header;
-  std::getline(rows, header);
-  text::copy_rest(rows, table, out);
+void copy_rows(const PartFolder& part, std::ostream& out) {
+  bool in_header = true;
+  read_file_of(part, rows_name, [&](std::string_view block) {
+    const std::size_t end = in_header ? block.find('\n') : 0;
+    if (end == std::string_view::npos) return;
+    out << block.substr(end + (in_header ? 1 : 0));
+    in_header = false;
+  });
 }
 
 }  // namespace
@@ -26,23 +28,26 @@ void copy_rows(const std::filesystem::path& table, std::ostream& out) {
 ExitCode merge_sweep(const MergeOptions& options, const Parts& parts) {
   const sizing::DesignProblem problem = problem_of(parts.whole);
   require_figures_of_parts(parts, this_machine(problem));
-  const formats::SweepPart first =
-      formats::read_sweep_part(formats::read_part(parts.folders.front() / part_name).results());
-  const SweepRequest request{.count = first.count, .sample = first.sample, .keep = first.keep};
-  sizing::SweepSummary summary(problem, request.keep);
+  std::optional<SweepRequest> request;
+  std::optional<sizing::SweepSummary> summary;
   text::OutputFolder folder(options.out);
-  std::ostream* rows = first.rows_sha256.empty() ? nullptr : &folder.open(rows_name);
-  if (rows != nullptr) (void)formats::write_sweep(*rows, problem.study());
-  for_each_part(parts, [&](std::size_t, const std::filesystem::path& from, const text::Node& results) {
-    const formats::SweepPart part = formats::read_sweep_part(results);
-    summary.consider(part.totals, part.kept);
-    if (rows == nullptr) return;
-    require_written(from / rows_name, part.rows_sha256);
-    copy_rows(from / rows_name, *rows);
+  std::ostream* rows = nullptr;
+  for_each_part(parts, [&](std::size_t number, const PartFolder& from) {
+    formats::SweepPart part = results_of(from, formats::read_sweep_part);
+    if (!request) {
+      request = {.count = part.count, .sample = part.sample, .keep = part.keep};
+      summary.emplace(problem, part.keep);
+      if (has_rows_at_once(part.keep)) rows = &folder.open(rows_name);
+      if (rows != nullptr) (void)formats::write_sweep(*rows, problem.study());
+    }
+    const sizing::IndexRange range = sizing::range_of({.number = number, .of = parts.folders.size()}, request->count);
+    part.totals.designs = range.end - range.first;
+    summary->consider(part.totals, part.kept);
+    if (rows != nullptr) copy_rows(from, *rows);
   });
-  const SweepAnswer answer(problem, request, summary);
+  const SweepAnswer answer(problem, request.value(), summary.value());
   answer.write(folder, provenance_of_whole(parts.whole));
-  keep_others(folder, options.force);
+  take_folder(folder, "result.json", options.force);
   folder.commit("result.json");
   answer.print(options.json);
   return answer.code();

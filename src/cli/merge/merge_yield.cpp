@@ -1,8 +1,8 @@
 #include <iostream>
 #include <variant>
 
-#include "cli/outputs.hpp"
 #include "cli/part_run.hpp"
+#include "cli/run_files.hpp"
 #include "cli/yield_study.hpp"
 #include "coilwright/formats/study/size_json.hpp"
 #include "coilwright/report/yield_text.hpp"
@@ -31,10 +31,10 @@ YieldQuestion yield_question_of(const archive::Contents& whole, const std::optio
 ExitCode merge_yield(const MergeOptions& options, const Parts& parts) {
   formats::YieldPart asked;
   std::vector<sizing::Build> builds;
-  for_each_part(parts, [&](std::size_t, const std::filesystem::path& folder, const text::Node& results) {
-    asked = formats::read_yield_part(results);
-    require_written(folder / builds_name, asked.rows_sha256);
-    formats::read_builds(folder / builds_name, builds);
+  for_each_part(parts, [&](std::size_t, const PartFolder& part) {
+    asked = results_of(part, formats::read_yield_part);
+    read_file_of(part, builds_name, {});
+    formats::read_builds(part.path / builds_name, builds);
   });
   const sizing::DesignProblem problem(study_of_one(yield_question_of(parts.whole, asked.current)));
   require_figures_of_parts(parts, this_machine(problem));
@@ -45,7 +45,7 @@ ExitCode merge_yield(const MergeOptions& options, const Parts& parts) {
   text::OutputFolder folder(options.out);
   folder.write("result.json", formats::to_json(yield).text());
   folder.write(results::provenance_name, to_json(provenance_of_whole(parts.whole)).text());
-  keep_others(folder, options.force);
+  take_folder(folder, "result.json", options.force);
   folder.commit("result.json");
   std::cout << (options.json ? formats::to_json(yield).text() : report::to_text(yield));
   return ExitCode::done;

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 
 #include "cli/outputs.hpp"
 #include "cli/part_run.hpp"
+#include "cli/run_files.hpp"
 #include "coilwright/results/sha256.hpp"
 #include "coilwright/text/input_error.hpp"
 
@@ -21,12 +23,51 @@ text::InputError refused_part(const fs::path& folder, std::string rule) {
 }
 
 formats::PartFile part_in(const fs::path& folder) {
+  const fs::path file = folder / part_name;
   std::error_code error;
-  const bool is_there = fs::exists(folder / part_name, error);
-  if (error) throw refused_part(folder, "cannot be looked at: " + error.message());
-  if (!is_there)
+  const fs::file_status status = fs::symlink_status(file, error);
+  if (!fs::status_known(status)) throw refused_part(folder, "cannot be looked at: " + error.message());
+  if (!fs::exists(status))
     throw refused_part(folder, "holds no finished part (part.json is not there): make it again with --resume");
-  return formats::read_part(folder / part_name).file;
+  if (!fs::is_regular_file(status))
+    throw refused_part(file, "must be the file that the part wrote, no link, pipe or folder: make the part again");
+  return formats::read_part(file);
+}
+
+// found.json has the digest of part.json without itself.
+PartFolder part_folder(const fs::path& path, formats::PartFile part) {
+  PartFolder out{.path = path, .files = part.files};
+  std::erase_if(part.files, [](const formats::FileOfPart& file) { return file.name == formats::found_name; });
+  out.part_sha256 = results::sha256(formats::to_json(part).text());
+  return out;
+}
+
+// A file or folder, whatever its names are.
+bool is_one_of(const fs::path& path, const std::vector<fs::path>& others) {
+  return std::ranges::any_of(others, [&](const fs::path& other) {
+    std::error_code none;  // one of the two is not there
+    return fs::equivalent(path, other, none);
+  });
+}
+
+// The folder of the result and those in which it lies.
+std::vector<fs::path> folders_above(const fs::path& out) {
+  std::vector<fs::path> all;
+  std::error_code none;
+  for (fs::path each = fs::weakly_canonical(fs::absolute(out), none); all.empty() || each != all.back();
+       each = each.parent_path())
+    all.push_back(each);
+  return all;
+}
+
+// What is there under the names that merge writes or removes.
+std::vector<fs::path> present_results(const fs::path& out) {
+  std::vector<fs::path> all = run_files_in(out);
+  std::erase_if(all, [](const fs::path& file) {
+    std::error_code none;
+    return !fs::exists(file, none);
+  });
+  return all;
 }
 
 // Which parts have which figures, and where they were made.
@@ -48,7 +89,7 @@ class Makers {
   std::map<std::string, std::pair<std::vector<std::size_t>, std::string>> by_figures_;
 };
 
-std::vector<std::size_t> missing_of(const std::map<std::size_t, fs::path>& found, std::size_t of) {
+std::vector<std::size_t> missing_of(const std::map<std::size_t, PartFolder>& found, std::size_t of) {
   std::vector<std::size_t> missing;
   for (std::size_t number = 1; number <= of; ++number)
     if (!found.contains(number)) missing.push_back(number);
@@ -79,16 +120,26 @@ std::string ranges_text(const std::vector<std::size_t>& ascending) {
 
 Parts parts_of(const MergeOptions& options) {
   std::optional<formats::PartFile> first;
-  std::map<std::size_t, fs::path> found;
+  std::map<std::size_t, PartFolder> found;
   Makers makers;
+  const std::vector<fs::path> above = folders_above(options.out), present = present_results(options.out);
   for (const fs::path folder : options.parts) {
+    if (is_one_of(folder, above))
+      throw refused_part(folder, fmt::format("is a part, and the result must not come into it: take another folder "
+                                             "than {} for that",
+                                             printed(options.out)));
     const formats::PartFile part = part_in(folder);
+    for (const formats::FileOfPart& file : part.files)
+      if (!present.empty() && is_one_of(folder / file.name, present))
+        throw refused_part(folder / file.name, fmt::format("is in {}, too, where the result is to come: take another "
+                                                           "folder for that",
+                                                           printed(options.out)));
     if (!first) first = part;
     require_of_one_run(part, folder, *first, options.parts.front());
-    const auto [known, is_new] = found.try_emplace(part.part.number, folder);
+    const auto [known, is_new] = found.try_emplace(part.part.number, part_folder(folder, part));
     if (!is_new)
       throw refused_part(folder, fmt::format("is part {} of {}, as {} is: name one of them", part.part.number,
-                                             part.part.of, printed(known->second)));
+                                             part.part.of, printed(known->second.path)));
     makers.add(part);
   }
   const std::size_t of = first.value().part.of;
@@ -98,7 +149,7 @@ Parts parts_of(const MergeOptions& options) {
                                                 missing.size() > 1 ? "s" : "", ranges_text(missing), of,
                                                 missing.size() > 1 ? "are" : "is", missing.size() > 1 ? "them" : "it"));
   Parts parts{.whole = first->whole, .made_by = makers.texts()};
-  for (const auto& [number, folder] : found) parts.folders.push_back(folder);
+  for (auto& [number, folder] : found) parts.folders.push_back(std::move(folder));
   return parts;
 }
 
@@ -113,18 +164,24 @@ void require_figures_of_parts(const Parts& parts, const formats::Machine& here) 
                     here.name(), fmt::join(others, "; ")));
 }
 
-void for_each_part(const Parts& parts,
-                   const std::function<void(std::size_t, const fs::path&, const text::Node&)>& take) {
+void for_each_part(const Parts& parts, const std::function<void(std::size_t, const PartFolder&)>& take) {
   for (std::size_t i = 0; i < parts.folders.size(); ++i) {
-    const formats::ReadPart part = formats::read_part(parts.folders[i] / part_name);
-    take(i + 1, parts.folders[i], part.results());
+    const PartFolder& part = parts.folders[i];
+    for (const formats::FileOfPart& file : part.files) read_file_of(part, file.name, {});
+    take(i + 1, part);
   }
 }
 
-void require_written(const fs::path& file, const std::string& sha256) {
-  std::error_code error;
-  if (fs::is_regular_file(file, error) && results::sha256_of_file(file) == sha256) return;  // a pipe would never end
-  throw refused_part(file, "is not there, or not what the part wrote (SHA-256): make the part again");
+void read_file_of(const PartFolder& part, std::string_view name, const std::function<void(std::string_view)>& take) {
+  const auto file = std::ranges::find(part.files, name, &formats::FileOfPart::name);
+  if (file == part.files.end() || !results::holds_exactly(part.path / name, file->bytes, file->sha256, take))
+    throw refused_part(part.path / name, "is not there, or not what the part wrote (SHA-256): make the part again");
+}
+
+text::Document document_of(const PartFolder& part, std::string_view name) {
+  std::string content;
+  read_file_of(part, name, [&](std::string_view block) { content += block; });
+  return text::parse_json(content, (part.path / name).string());
 }
 
 results::Provenance provenance_of_whole(const archive::Contents& whole) {

@@ -58,6 +58,19 @@ Json machine_json(const Machine& machine) {
                        {"figures", text::parse_json(machine.figures, "figures").root().value()}});
 }
 
+FileOfPart read_file_of_part(const Node& node) {
+  return text::read_object(node, [](ObjectReader& in) {
+    const Node name = in.at("file");
+    FileOfPart out{.name = name.text(),
+                   .bytes = in.integer<std::uintmax_t>("bytes", text::non_negative),
+                   .sha256 = in.text("sha256")};
+    const std::filesystem::path plain(out.name);
+    if (plain.filename() != plain || plain.empty() || out.name == "." || out.name == "..")
+      throw name.error("must be the name of a file in this folder");
+    return out;
+  });
+}
+
 Json exact_total_json(const sizing::QuantityTotal& total) {
   return Json::object({{"designs", total.designs},
                        {"sum_in_2_to_-1074", total.sum.text()},
@@ -133,29 +146,39 @@ Json to_json(const PartFile& part) {
                        {"of", part.part.of},
                        {"whole", whole_json(part.whole)},
                        {"machine", machine_json(part.machine)},
-                       {"results", part.results}});
+                       {"files", Json::list(part.files, [](const FileOfPart& file) {
+                          return Json::object({{"file", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}});
+                        })}});
+}
+
+Json found_json(const std::string& part_sha256, Json results) {
+  return Json::object({{"part_sha256", part_sha256}, {"results", std::move(results)}});
+}
+
+Node results_in(const text::Document& found, const std::string& part_sha256) {
+  return text::read_object(found.root(), [&](ObjectReader& in) {
+    if (in.text("part_sha256") != part_sha256)
+      throw found.root().error_without_value("belongs to another part.json than stands beside it: make the part again");
+    return in.at("results");
+  });
 }
 
 Json to_json(const Machine& machine) {
   return Json::object({{"format", "head/1"}, {"machine", machine_json(machine)}});
 }
 
-Node ReadPart::results() const {
-  return *document.root().find("results");
-}
-
-ReadPart read_part(const std::filesystem::path& path) {
-  text::Document document = text::read_json(path);
-  PartFile file = text::read_object(document.root(), [](ObjectReader& in) {
+PartFile read_part(const std::filesystem::path& path) {
+  const text::Document document = text::read_json(path);
+  return text::read_object(document.root(), [](ObjectReader& in) {
     in.literal("format", "part/1");
-    (void)in.at("results");
     const auto of = in.integer<std::size_t>("of", text::Rule::between(1, sizing::most_parts_of_a_run));
     const auto number = in.integer<std::size_t>("part", text::Rule::between(1, static_cast<double>(of)));
-    return PartFile{.part = {.number = number, .of = of},
-                    .whole = read_whole(in.at("whole")),
-                    .machine = read_machine(in.at("machine"))};
+    PartFile out{.part = {.number = number, .of = of},
+                 .whole = read_whole(in.at("whole")),
+                 .machine = read_machine(in.at("machine"))};
+    for (const Node& each : in.elements("files")) out.files.push_back(read_file_of_part(each));
+    return out;
   });
-  return {.document = std::move(document), .file = std::move(file)};
 }
 
 Machine read_head(const std::filesystem::path& path) {
@@ -170,9 +193,7 @@ Json to_json(const SweepPart& part) {
   return Json::object({{"count", part.count},
                        {"kept", sizing::name_of(part.keep)},
                        {"sample", part.sample ? sample_of_part(*part.sample) : Json(nullptr)},
-                       {"designs", part.totals.designs},
                        {"ok", part.totals.ok},
-                       {"designs_csv_sha256", part.rows_sha256},
                        {"quantities", Json::list(part.totals.quantities, exact_total_json)},
                        {"best", designs_json(part.kept)}});
 }
@@ -182,9 +203,7 @@ SweepPart read_sweep_part(const Node& results) {
     SweepPart out{.count = in.integer<std::size_t>("count", text::non_negative),
                   .keep = in.at("kept").choice_among<sizing::Keep>(sizing::keep_words)};
     if (const auto sample = in.find_not_null("sample")) out.sample = read_sample_of_part(*sample);
-    out.totals = {.designs = in.integer<std::size_t>("designs", text::non_negative),
-                  .ok = in.integer<std::size_t>("ok", text::non_negative)};
-    out.rows_sha256 = in.text("designs_csv_sha256");
+    out.totals.ok = in.integer<std::size_t>("ok", text::non_negative);
     for (const Node& each : in.elements("quantities")) out.totals.quantities.push_back(read_exact_total(each));
     out.kept = read_designs(in.at("best"));
     return out;
@@ -192,28 +211,20 @@ SweepPart read_sweep_part(const Node& results) {
 }
 
 Json to_json(const SearchPart& part) {
-  return Json::object({{"seed", part.seed},
-                       {"stop_reason", part.stop_reason},
-                       {"evaluations", part.evaluations},
-                       {"feasible", part.feasible},
-                       {"found", designs_json(part.found)}});
+  return Json::object(
+      {{"stop_reason", part.stop_reason}, {"evaluations", part.evaluations}, {"found", designs_json(part.found)}});
 }
 
 SearchPart read_search_part(const Node& results) {
   return text::read_object(results, [](ObjectReader& in) {
-    return SearchPart{.seed = in.integer<std::uint64_t>("seed", text::non_negative),
-                      .stop_reason = in.text("stop_reason"),
+    return SearchPart{.stop_reason = in.text("stop_reason"),
                       .evaluations = in.integer<std::size_t>("evaluations", text::non_negative),
-                      .feasible = in.at("feasible").boolean(),
                       .found = read_designs(in.at("found"))};
   });
 }
 
 Json to_json(const YieldPart& part) {
-  return Json::object({{"builds", part.builds},
-                       {"worth_builds", part.worth_builds},
-                       {"current_A", part.current},
-                       {"builds_csv_sha256", part.rows_sha256}});
+  return Json::object({{"builds", part.builds}, {"worth_builds", part.worth_builds}, {"current_A", part.current}});
 }
 
 YieldPart read_yield_part(const Node& results) {
@@ -221,7 +232,6 @@ YieldPart read_yield_part(const Node& results) {
     YieldPart out{.builds = in.integer<std::size_t>("builds", text::non_negative),
                   .worth_builds = in.integer<std::size_t>("worth_builds", text::non_negative)};
     if (const auto current = in.find_not_null("current_A")) out.current = current->number();
-    out.rows_sha256 = in.text("builds_csv_sha256");
     return out;
   });
 }

@@ -69,10 +69,10 @@ OutputFolder::~OutputFolder() {
 
 std::ostream& OutputFolder::open(std::string_view name) {
   const fs::path file = plain_name(name);
-  const bool open_already =
-      std::any_of(files_.begin(), files_.end(), [&](const OutputFile& each) { return each.path() == path_ / file; });
-  if (open_already) throw std::invalid_argument(fmt::format("name must not be opened twice; got {}", name));
-  return files_.emplace_back(path_ / file).stream();
+  if (has(name)) throw std::invalid_argument(fmt::format("name must not be opened twice; got {}", name));
+  std::ostream& stream = files_.emplace_back(path_ / file).stream();
+  names_.emplace_back(name);
+  return stream;
 }
 
 void OutputFolder::write(std::string_view name, std::string_view content) {
@@ -81,6 +81,18 @@ void OutputFolder::write(std::string_view name, std::string_view content) {
 
 void OutputFolder::remove(std::string_view name) {
   outdated_.push_back(path_ / plain_name(name));
+}
+
+bool OutputFolder::has(std::string_view name) const {
+  return std::find(names_.begin(), names_.end(), name) != names_.end();
+}
+
+bool OutputFolder::is_unchanged(std::string_view name) {
+  const auto place = std::find(names_.begin(), names_.end(), name);
+  if (place == names_.end()) return false;
+  OutputFile& file = files_[static_cast<std::size_t>(place - names_.begin())];
+  std::error_code none;
+  return fs::is_regular_file(file.path(), none) && !file.would_change();
 }
 
 std::optional<fs::path> OutputFolder::first_change() {
@@ -96,23 +108,26 @@ void OutputFolder::lock() {
 void OutputFolder::commit(std::string_view key) {
   lock();
   std::vector<OutputFile*> files;
-  for (OutputFile& file : files_) {
-    file.close();
-    files.push_back(&file);
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    files_[i].close();
+    if (names_[i] != key) files.push_back(&files_[i]);
   }
-  // Not of std::ranges, nor std::views::reverse: Clang 14 does not take them from this standard library.
-  std::stable_partition(files.begin(), files.end(),
-                        [&](const OutputFile* file) { return file->path().filename() != key; });
+  for (std::size_t i = 0; i < files_.size(); ++i)
+    if (names_[i] == key) files.push_back(&files_[i]);
   made_.clear();  // from here on there is something in them
-  for (auto file = files.rbegin(); file != files.rend(); ++file) (*file)->withdraw();
+  if (!files.empty()) files.back()->withdraw();
   for (const fs::path& file : outdated_) {
+    if (has(file.filename().string())) continue;
     std::error_code error;
     fs::remove(file, error);
     if (error) throw OutputError(file, error.message(), OutputError::Stage::writing);
   }
+  for (auto file = files.rbegin(); file != files.rend(); ++file) (*file)->withdraw();
   for (OutputFile* file : files) file->commit();
   wait_for_names_in(path_);
   files_.clear();
+  names_.clear();
+  outdated_.clear();
 }
 
 void OutputFolder::remove_made_folders() noexcept {

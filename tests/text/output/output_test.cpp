@@ -232,6 +232,24 @@ TEST(OutputFolder, RemovesAnOutdatedResultOnCommitOnly) {
   EXPECT_THAT(names_in(folder.path()), ElementsAre("result.json"));
 }
 
+TEST(OutputFolder, RemovesNothingThatItWritesAgain) {
+  const TemporaryFolder folder;
+  folder.file("elsewhere.json", "before");
+  fs::create_symlink("elsewhere.json", folder.path() / "result.json");
+  OutputFolder out(folder.path());
+  out.remove("result.json");
+  out.write("result.json", "after");
+  EXPECT_TRUE(out.has("result.json"));
+  EXPECT_FALSE(out.is_unchanged("result.json"));
+  out.commit("result.json");
+  EXPECT_EQ(content(folder.path() / "elsewhere.json"), "after");
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "result.json"));
+  out.write("result.json", "after");
+  EXPECT_TRUE(out.is_unchanged("result.json"));
+  EXPECT_FALSE(out.has("other.json"));
+  EXPECT_FALSE(out.is_unchanged("other.json"));
+}
+
 TEST(OutputFolder, LeavesNoFolderThatItMadeWithoutCommit) {
   const TemporaryFolder folder;
   {

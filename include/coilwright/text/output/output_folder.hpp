@@ -3,6 +3,7 @@
 #include <deque>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,6 +32,11 @@ class OutputFolder {
   /// Removes at commit() what an earlier run may have left under this name, so that it is not taken for a result of
   /// this one.
   void remove(std::string_view name);
+  /// Whether a file of this name was opened so far.
+  [[nodiscard]] bool has(std::string_view name) const;
+  /// Whether that file is in the folder already, with the content that was written to it; nothing may be written to it
+  /// any more. Throws OutputError (writing).
+  [[nodiscard]] bool is_unchanged(std::string_view name);
   /// The first of the files opened so far whose name another content has in the folder, which commit() would lose;
   /// nothing where none has. Nothing may be written to them any more. Throws OutputError (writing).
   [[nodiscard]] std::optional<std::filesystem::path> first_change();
@@ -38,8 +44,8 @@ class OutputFolder {
   /// where one does; says in a line on standard error where the file system has no locks.
   void lock();
   /// Locks the folder and gives all files their names. The one called `key`, by which a reader knows the folder, goes
-  /// first where it is replaced, and comes last: where it is there, all are. Throws OutputError (writing); if a file is
-  /// incomplete, none of them changes.
+  /// first where it is replaced, and comes last: where it is there, all are. Then goes what remove() names, in that
+  /// order. Throws OutputError (writing); if a file is incomplete, none of them changes.
   void commit(std::string_view key = {});
 
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
@@ -51,7 +57,8 @@ class OutputFolder {
   std::vector<std::filesystem::path> made_;  // outermost first
   std::vector<std::filesystem::path> outdated_;
   std::optional<FolderLock> lock_;
-  std::deque<OutputFile> files_;  // a deque: a stream's address must not change
+  std::deque<OutputFile> files_;    // a deque: a stream's address must not change
+  std::vector<std::string> names_;  // of each, which may be a link to its path
 };
 
 }  // namespace coilwright::text

@@ -28,5 +28,15 @@ TEST(MinimumNorm, LeavesWhatLiesBelowItsThreshold) {
   EXPECT_NEAR(minimum_norm(matrix, right, 1e-6)[0], 1.0, 1e-15);
 }
 
+// A fit in which nothing may move has no columns; records of nothing have no rows.
+TEST(MinimumNorm, OfNothingIsNothing) {
+  EXPECT_EQ(minimum_norm(Eigen::MatrixXd(0, 0), Eigen::VectorXd(0)).size(), 0);
+  EXPECT_EQ(minimum_norm(Eigen::MatrixXd(3, 0), Eigen::VectorXd::Ones(3), 1e-6).size(), 0);
+  EXPECT_EQ(minimum_norm(Eigen::MatrixXd(0, 2), Eigen::VectorXd(0)), Eigen::VectorXd::Zero(2));
+  const Eigen::MatrixXd both = minimum_norm_columns(Eigen::MatrixXd(3, 0), Eigen::MatrixXd::Ones(3, 2));
+  EXPECT_EQ(both.rows(), 0);
+  EXPECT_EQ(both.cols(), 2);
+}
+
 }  // namespace
 }  // namespace coilwright::algebra

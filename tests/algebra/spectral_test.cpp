@@ -26,5 +26,13 @@ TEST(Spectral, SingularValuesDoNotTurn) {
   EXPECT_LT((singular_values(turned) - Eigen::Vector2d(5.0, 2.0)).norm(), 1e-14);
 }
 
+// The normal matrix of a fit without a number that may move.
+TEST(Spectral, NothingHasNoModes) {
+  const SymmetricModes modes = symmetric_modes(Eigen::MatrixXd(0, 0));
+  EXPECT_EQ(modes.values.size(), 0);
+  EXPECT_EQ(modes.vectors.size(), 0);
+  EXPECT_EQ(singular_values(Eigen::MatrixXd(3, 0)).size(), 0);
+}
+
 }  // namespace
 }  // namespace coilwright::algebra

@@ -334,6 +334,21 @@ class Diagnose(ProgramTest):
         self.assertLess(abs(found["calibration"]["/effects/0/parameters/torque_Nmm"]["value"] - 25), 2)
         self.assertNotIn("stays as declared", result.stdout)
 
+    def test_a_finished_model_of_which_nothing_is_free_is_scored(self):
+        for effect, verdict in ((), "no_missing_effect"), (("--effect", "dry_friction:torque_Nmm=25"), "explained"):
+            self.twin(*effect)
+            data = {**self.result("set/dataset.json"), "calibrate": [], "tolerances": "exact"}
+            for start in ("at_rest", "measured", "free"):
+                for each in data["runs"]:
+                    each["start"] = start
+                self.write("set/dataset.json", json.dumps(data))
+                self.diagnose("scored", "--quiet", "--report", "--force")
+                found = self.result("scored/diagnosis.json")
+                self.assertEqual((found["verdict"], found["calibration"], found["nominal"]), (verdict, {}, {}), start)
+                errors = found["error"]["validate"]
+                self.assertEqual(errors["declared"], errors["before"], start)
+                self.assertIn("</html>", (self.folder / "scored" / "report.html").read_text())
+
     def test_an_answer_that_cannot_be_written_is_printed(self):
         self.take_friction()
         process = subprocess.Popen([PROGRAM, "diagnose", "set", "--out", "late"], cwd=self.folder, stdout=subprocess.PIPE,

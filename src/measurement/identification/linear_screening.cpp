@@ -41,7 +41,6 @@ std::optional<Direction> residual_direction(const fit::FitRequest& request, cons
     out.segment(row, rows) = change;
     row += rows;
   }
-  if (base.jacobian.cols() == 0) return Direction{.residuals = std::move(out)};
   Eigen::VectorXd absorbed = algebra::minimum_norm(base.normal_matrix, base.jacobian.transpose() * out);
   out -= base.jacobian * absorbed;
   return Direction{.residuals = std::move(out), .absorbed = std::move(absorbed)};

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 #include <utility>
@@ -45,11 +44,6 @@ std::vector<std::string> read_calibrate(ObjectReader& in) {
   return names;
 }
 
-// What is no pointer into the actuator file.
-constexpr std::array<std::string_view, 6> tolerance_names = {"force_curve",         "joint_stiffness_ratio",
-                                                             "joint_damping_ratio", "face_closing_deg",
-                                                             "joint_stiffness",     "joint_damping"};
-
 using measurement::replay::Tolerances;
 
 Tolerances read_tolerances(const Node& node) {
@@ -58,10 +52,11 @@ Tolerances read_tolerances(const Node& node) {
     if (node.kind() == Node::Kind::text && node.text() == "exact") return Tolerances::exact();
     throw node.error(R"(must be "exact" or an object)");
   }
+  const std::vector<std::string_view> names = measurement::replay::tolerance_names();
   for (const Node& each : node.members()) {
-    if (std::ranges::count(tolerance_names, each.key()) == 0 && !each.key().starts_with('/'))
+    if (std::ranges::count(names, each.key()) == 0 && !each.key().starts_with('/'))
       throw each.error_without_value(fmt::format(R"(must be called "{}" or by a JSON pointer into the actuator file)",
-                                                 fmt::join(tolerance_names, R"(", ")")));
+                                                 fmt::join(names, R"(", ")")));
     out.named.push_back({.name = each.key(), .deviation = each.number(non_negative)});
   }
   return out;

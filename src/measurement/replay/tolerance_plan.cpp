@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
 #include <set>
@@ -61,37 +62,60 @@ PlannedNumber curve_number(std::size_t order, double deviation, const TorqueCurv
   return number;
 }
 
-// The numbers behind the name of a difference; none where the model cannot differ so. `deviation` in the name's unit.
-std::vector<PlannedNumber> differences(std::string_view name, double deviation, const Differing& model) {
+std::vector<PlannedNumber> shape_of_curve(double deviation, const Differing& model) {
   std::vector<PlannedNumber> out;
-  if (name == "force_curve" && model.coils)
-    for (std::size_t order = 1; order < force_curve_shares.size(); ++order)
-      out.push_back(curve_number(order, deviation * force_curve_shares[order], model.force_curve));
-  if (name == force_gain_name && model.coils) out.push_back(curve_number(0, deviation, model.force_curve));
-  if (name == "joint_stiffness_ratio" && any_below_another(model.hinges, &Hinge::stiffness))
-    out.push_back(ratio("joint_stiffness_ratio", &AsBuilt::joint_stiffness_ratio, deviation, model.declared));
-  if (name == "joint_damping_ratio" && any_below_another(model.hinges, &Hinge::damping))
-    out.push_back(ratio("joint_damping_ratio", &AsBuilt::joint_damping_ratio, deviation, model.declared));
-  if (name == "face_closing_deg" && has_faces(model.hinges)) {
-    const double touch = closing_angle(model.hinges);
-    PlannedNumber number{
-        .name = "face_closing_deg", .deviation = deviation, .declared = touch + model.declared.face_closing_shift};
-    number.difference = AsBuiltNumber{.member = &AsBuilt::face_closing_shift, .from = touch};
-    out.push_back(std::move(number));
-  }
+  for (std::size_t order = 1; model.coils && order < force_curve_shares.size(); ++order)
+    out.push_back(curve_number(order, deviation * force_curve_shares[order], model.force_curve));
   return out;
 }
 
-ToleranceFault cannot_differ(const std::string& name) {
-  const std::string rule = name == "force_curve"        ? "no coil beside a magnet"
-                           : name == "face_closing_deg" ? "no faces that touch"
-                                                        : "no two joints to differ in it";
-  return {name, "must not be there: the actuator has " + rule};
+std::vector<PlannedNumber> gain_of_curve(double deviation, const Differing& model) {
+  if (!model.coils) return {};
+  return {curve_number(0, deviation, model.force_curve)};
 }
 
-// Whether the name is of a number that stands in the file, or of all joints.
-bool in_file(std::string_view name) {
-  return name.starts_with('/') || name == "joint_stiffness" || name == "joint_damping";
+std::vector<PlannedNumber> differing_stiffnesses(double deviation, const Differing& model) {
+  if (!any_below_another(model.hinges, &Hinge::stiffness)) return {};
+  return {ratio("joint_stiffness_ratio", &AsBuilt::joint_stiffness_ratio, deviation, model.declared)};
+}
+
+std::vector<PlannedNumber> differing_dampings(double deviation, const Differing& model) {
+  if (!any_below_another(model.hinges, &Hinge::damping)) return {};
+  return {ratio("joint_damping_ratio", &AsBuilt::joint_damping_ratio, deviation, model.declared)};
+}
+
+std::vector<PlannedNumber> closing_of_faces(double deviation, const Differing& model) {
+  if (!has_faces(model.hinges)) return {};
+  const double touch = closing_angle(model.hinges);
+  PlannedNumber number{
+      .name = "face_closing_deg", .deviation = deviation, .declared = touch + model.declared.face_closing_shift};
+  number.difference = AsBuiltNumber{.member = &AsBuilt::face_closing_shift, .from = touch};
+  return {std::move(number)};
+}
+
+// A difference from what the file says that has no number there.
+struct NamedDifference {
+  std::string_view name;
+  // The numbers behind it, `deviation` in the unit of the name; none where the model cannot differ so, and then the
+  // actuator has `lacking`.
+  std::vector<PlannedNumber> (*numbers)(double deviation, const Differing& model);
+  std::string_view lacking;
+};
+
+constexpr std::array differences = {
+    NamedDifference{"force_curve", shape_of_curve, "no coil beside a magnet"},
+    NamedDifference{force_gain_name, gain_of_curve, "no coil beside a magnet"},
+    NamedDifference{"joint_stiffness_ratio", differing_stiffnesses, "no two joints to differ in it"},
+    NamedDifference{"joint_damping_ratio", differing_dampings, "no two joints to differ in it"},
+    NamedDifference{"face_closing_deg", closing_of_faces, "no faces that touch"}};
+
+// Those of numbers that all joints share, which stand in the file.
+constexpr std::array<std::string_view, 2> of_all_joints = {"joint_stiffness", "joint_damping"};
+
+// Nothing where the name is of a number that stands in the file.
+const NamedDifference* difference_called(std::string_view name) {
+  const auto* const found = std::ranges::find(differences, name, &NamedDifference::name);
+  return found == differences.end() ? nullptr : found;
 }
 
 class Planner {
@@ -130,15 +154,17 @@ class Planner {
       plan_.numbers[same->second].deviation = named.deviation;
       return;
     }
-    if (in_file(named.name)) {
+    const NamedDifference* difference = difference_called(named.name);
+    if (difference == nullptr) {
       // One that is exact is looked up all the same, and then left alone.
       add({.name = named.name,
            .by = MovedBy::tolerances,
            .deviation = named.deviation,
            .effect = effect_of(named.name)});
     } else {
-      std::vector<PlannedNumber> numbers = differences(named.name, named.deviation, model_);
-      if (numbers.empty()) throw cannot_differ(named.name);
+      std::vector<PlannedNumber> numbers = difference->numbers(named.deviation, model_);
+      if (numbers.empty())
+        throw ToleranceFault(named.name, fmt::format("must not be there: the actuator has {}", difference->lacking));
       for (PlannedNumber& number : numbers) {
         number.by = MovedBy::tolerances;
         if (named.deviation > 0.0) differ.push_back(std::move(number));
@@ -152,11 +178,12 @@ class Planner {
       return places_.contains(name) || std::ranges::count(said_.named, name, &NamedTolerance::name) > 0;
     };
     if (names_it(each.name) || std::ranges::any_of(each.instead_of, names_it)) return;
-    if (in_file(each.name)) {
+    const NamedDifference* difference = difference_called(each.name);
+    if (difference == nullptr) {
       add({.name = each.name, .by = MovedBy::defaults, .share = each.deviation, .effect = effect_of(each.name)});
       return;
     }
-    for (PlannedNumber& number : differences(each.name, each.deviation, model_)) {
+    for (PlannedNumber& number : difference->numbers(each.deviation, model_)) {
       number.by = MovedBy::defaults;
       differ.push_back(std::move(number));
     }
@@ -189,6 +216,13 @@ TorqueCurveError range_of(const std::optional<TorqueCurveError>& declared,
 }
 
 }  // namespace
+
+std::vector<std::string_view> tolerance_names() {
+  std::vector<std::string_view> out;
+  for (const NamedDifference& each : differences) out.push_back(each.name);
+  out.insert(out.end(), of_all_joints.begin(), of_all_joints.end());
+  return out;
+}
 
 TolerancePlan tolerance_plan(std::span<const std::string> calibrated, const Tolerances& said,
                              const actuator::Design& design, const actuator::Measured& measured,

@@ -399,7 +399,7 @@ TEST_F(DatasetFiles, SayHowWellTheirNumbersAreKnown) {
             "dataset.json: /tolerances/~1links~10~1mass_kg: must be >= 0; got -1");
   EXPECT_EQ(
       wrong(R"({"mass": 1})"),
-      R"(dataset.json: /tolerances/mass: must be called "force_curve", "joint_stiffness_ratio", )"
+      R"(dataset.json: /tolerances/mass: must be called "force_curve", "force_curve_0", "joint_stiffness_ratio", )"
       R"("joint_damping_ratio", "face_closing_deg", "joint_stiffness", "joint_damping" or by a JSON pointer into the actuator file)");
 }
 

@@ -1,6 +1,7 @@
 // What a data set says of the accuracy of declared numbers, and the models that they then may be.
 #include "coilwright/measurement/replay/tolerances.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -232,6 +233,29 @@ TEST(Tolerances, OfAMagnetStandForTheGainOfALumpedModel) {
   EXPECT_EQ(parameter(actuator, "/magnetics/1/magnet/remanence_T").effect, "force_gain");
   EXPECT_THAT(keys(actuator), ::testing::Not(::testing::Contains("force_curve_0")));
   EXPECT_EQ(parameter(declared(loose_joints, hinge_names, {}), "force_curve_0").effect, "force_gain");
+}
+
+// Those of the tables, of the reader's refusal, and of every default.
+TEST(Tolerances, HaveNoNameThatIsRefused) {
+  std::ifstream file(COILWRIGHT_SOURCE_DIR "/docs/formats-dataset.md");
+  const std::string all(std::istreambuf_iterator<char>(file), {});
+  const std::string section =
+      all.substr(all.find("## Tolerances"), all.find("## Columns of a run") - all.find("## Tol"));
+  for (const std::string& text : {loose_joints, paper_finger()}) {
+    Names names;
+    for (const std::string_view each : measurement::replay::tolerance_names()) {
+      EXPECT_THAT(section, HasSubstr(fmt::format("`{}`", each)));
+      names.emplace_back(each);
+    }
+    for (const CalibrationParameter& each : declared(text, {}, {}).model.calibration)
+      if (each.key.starts_with('/')) names.push_back(each.key);
+    EXPECT_GT(names.size(), 10u);
+    for (const std::string& name : names) {
+      const DeclaredActuator actuator = declared(text, {}, {.others_exact = true, .named = {{name, 1e-6}}});
+      ASSERT_FALSE(actuator.model.calibration.empty()) << name;
+      for (const CalibrationParameter& each : actuator.model.calibration) EXPECT_TRUE(each.tolerance->named) << name;
+    }
+  }
 }
 
 TEST(Tolerances, LeaveOutDefaultsThatNoMotionCanTellApart) {

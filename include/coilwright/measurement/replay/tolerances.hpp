@@ -2,15 +2,18 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace coilwright::measurement::replay {
 
+/// The names of tolerances that are no JSON pointers: docs/formats-dataset.md, "Tolerances".
+[[nodiscard]] std::vector<std::string_view> tolerance_names();
+
 /// What a person says of the accuracy of one declared number.
 struct NamedTolerance {
-  /// A JSON pointer to a number of the actuator file, or `force_curve`, `joint_stiffness_ratio`, `joint_damping_ratio`,
-  /// `face_closing_deg`.
+  /// A JSON pointer to a number of the actuator file, or one of tolerance_names().
   std::string name;
   double deviation{};  ///< one standard deviation, in the unit of the name; >= 0, and 0 for a number that is exact
 };

@@ -55,7 +55,7 @@ HIDDEN = {
     "muParser": "sizing",
     "pugixml": "exports",
     "SQLiteCpp/": "archive",
-    "tbb/": "sizing measurement",
+    "tbb/": "sizing measurement/fit",
     "oneapi/": "sizing measurement",
     "ceres/": "measurement/fit",
     "nlohmann/": "text",

@@ -1,7 +1,5 @@
 #include "coilwright/measurement/diagnosis.hpp"
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -21,6 +19,7 @@
 #include "measurement/fit/fit.hpp"
 #include "measurement/fit/input_errors.hpp"
 #include "measurement/fit/outliers.hpp"
+#include "measurement/fit/parallel.hpp"
 #include "measurement/identification/curvature.hpp"
 #include "measurement/identification/hypothesis_search.hpp"
 #include "measurement/identification/insensitive_parameters.hpp"
@@ -296,8 +295,9 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
 }  // namespace
 
 Diagnosis diagnose(const data::Dataset& data, const replay::DeclaredModel& declared, const DiagnosisOptions& options) {
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-  return arena.execute([&] { return diagnose_in_arena(data, declared, options); });
+  Diagnosis out;
+  fit::with_threads(options.threads, [&] { out = diagnose_in_arena(data, declared, options); });
+  return out;
 }
 
 }  // namespace coilwright::measurement

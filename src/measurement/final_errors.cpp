@@ -1,7 +1,5 @@
 #include "measurement/final_errors.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +14,7 @@
 #include "measurement/error_sums.hpp"
 #include "measurement/fit/input_errors.hpp"
 #include "measurement/fit/outliers.hpp"
+#include "measurement/fit/parallel.hpp"
 #include "measurement/fit/scales.hpp"
 #include "measurement/records/record_slips.hpp"
 #include "measurement/records/suspect_records.hpp"
@@ -212,7 +211,7 @@ void FinalErrors::take(std::vector<PreparedRun> prepared_runs, const ThreeModels
   std::vector<const FittedHypothesis*> all{&models.declared, &models.before, &models.after};
   if (models.corrected) all.push_back(&*models.corrected);
   std::vector<std::array<Prediction, 4>> predictions(prepared_runs.size());
-  tbb::parallel_for(std::size_t{0}, all.size() * prepared_runs.size(), [&](std::size_t task) {
+  fit::in_parallel(all.size() * prepared_runs.size(), [&](std::size_t task) {
     const PreparedRun& prepared = prepared_runs[task / all.size()];
     const std::size_t m = task % all.size();
     predictions[task / all.size()][m] =

@@ -1,10 +1,10 @@
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
+#include "measurement/fit/parallel.hpp"
 #include "measurement/fit/residual_blocks.hpp"
 #include "measurement/fit/residual_place.hpp"
 
@@ -45,7 +45,7 @@ void ResidualBlocks::start_clock_rates(const Eigen::VectorXd& parameters) {
   if (far.empty()) return;
   if (!is_here(parameters)) move_to(parameters);
   if (!here_) return;
-  tbb::parallel_for(std::size_t{0}, far.size(), [&](std::size_t k) {
+  in_parallel(far.size(), [&](std::size_t k) {
     const ResidualBlock& block = blocks_[far[k]];
     const replay::PreparedRun& prepared = request_.runs[block.run];
     const replay::Window& window = prepared.windows[block.window];

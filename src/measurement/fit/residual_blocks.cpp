@@ -1,12 +1,11 @@
 #include "measurement/fit/residual_blocks.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 #include "measurement/fit/fit.hpp"
+#include "measurement/fit/parallel.hpp"
 #include "measurement/fit/residual_place.hpp"
 
 namespace coilwright::measurement::fit {
@@ -83,7 +82,7 @@ void ResidualBlocks::move_to(const Eigen::VectorXd& parameters) {
   if (!models) return;
   const std::size_t runs = request_.runs.size();
   std::vector<std::optional<RunValues>> evaluated(runs);
-  tbb::parallel_for(std::size_t{0}, runs, [&](std::size_t r) { evaluated[r] = evaluate_run(*models, r); });
+  in_parallel(runs, [&](std::size_t r) { evaluated[r] = evaluate_run(*models, r); });
   if (std::ranges::all_of(evaluated, [](const auto& run) { return run.has_value(); })) {
     here_ = std::make_unique<Place>(
         Place{.parameters = parameters, .local_numbers = local_numbers_, .models = std::move(*models)});

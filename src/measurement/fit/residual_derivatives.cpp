@@ -1,4 +1,3 @@
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,6 +5,7 @@
 #include <utility>
 
 #include "measurement/fit/fit.hpp"
+#include "measurement/fit/parallel.hpp"
 #include "measurement/fit/residual_blocks.hpp"
 #include "measurement/fit/residual_place.hpp"
 #include "measurement/fit/update_derivatives.hpp"
@@ -84,7 +84,7 @@ std::optional<std::vector<ResidualBlocks::Displaced>> ResidualBlocks::displaced_
 void ResidualBlocks::add_jacobian(const Eigen::VectorXd& parameters, const std::vector<Displaced>& displaced,
                                   ResidualValues& values) const {
   const std::size_t runs = request_.runs.size();
-  tbb::parallel_for(std::size_t{0}, displaced.size() * runs, [&](std::size_t task) {
+  in_parallel(displaced.size() * runs, [&](std::size_t task) {
     const Displaced& to = displaced[task / runs];
     const std::size_t r = task % runs;
     double step = to.step;
@@ -127,7 +127,7 @@ double ResidualBlocks::difference_step(const Eigen::VectorXd& parameters, Eigen:
 bool ResidualBlocks::add_local_jacobian(const Models& models, const std::vector<RunValues>& runs,
                                         ResidualValues& values) const {
   std::vector<char> simulated(blocks_.size(), 1);
-  tbb::parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t b) {
+  in_parallel(blocks_.size(), [&](std::size_t b) {
     const ResidualBlock& block = blocks_[b];
     ResidualValues::Block& out = values.blocks[b];
     out.local_jacobian.resize(block.rows, static_cast<Eigen::Index>(block.local.size()));

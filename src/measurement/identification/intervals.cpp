@@ -1,13 +1,13 @@
 #include "measurement/identification/intervals.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <utility>
 
+#include "measurement/fit/parallel.hpp"
 #include "measurement/identification/curvature.hpp"
 #include "measurement/identification/local_optima.hpp"
 #include "measurement/identification/profile_likelihood.hpp"
@@ -43,7 +43,7 @@ IntervalPass intervals_at_optimum(std::span<const replay::PreparedRun> runs, con
   }
   std::mutex reporting;
   std::size_t done = 0;
-  tbb::parallel_for(std::size_t{0}, sides.size(), [&](std::size_t side) {
+  fit::in_parallel(sides.size(), [&](std::size_t side) {
     const std::size_t i = profiled[side / 2];
     Estimate& estimate = out.estimates[i];
     const double deviation = deviations[static_cast<Eigen::Index>(i)];

@@ -1,7 +1,5 @@
 #include "measurement/identification/level_fits.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <iterator>
 #include <limits>
@@ -9,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "measurement/fit/parallel.hpp"
 #include "measurement/identification/effect_strength.hpp"
 #include "measurement/identification/model_error.hpp"
 #include "measurement/identification/other_optima.hpp"
@@ -33,7 +32,7 @@ void race(std::vector<FitInTurns>& fits) {
   for (FitInTurns& each : fits) going.push_back(&each);
   while (!going.empty()) {
     std::vector<char> goes_on(going.size());
-    tbb::parallel_for(std::size_t{0}, going.size(), [&](std::size_t k) { goes_on[k] = going[k]->turn() ? 1 : 0; });
+    fit::in_parallel(going.size(), [&](std::size_t k) { goes_on[k] = going[k]->turn() ? 1 : 0; });
     std::vector<FitInTurns*> left;
     for (std::size_t k = 0; k < going.size(); ++k)
       if (goes_on[k] != 0) left.push_back(going[k]);
@@ -53,7 +52,7 @@ MaybeFit best_fit(std::span<const replay::PreparedRun> runs, std::vector<Planned
   if (is_far_from_noise(known))
     race(fits);
   else
-    tbb::parallel_for(std::size_t{0}, fits.size(), [&](std::size_t i) { fits[i].finish(); });
+    fit::in_parallel(fits.size(), [&](std::size_t i) { fits[i].finish(); });
   FitInTurns* best = nullptr;
   for (FitInTurns& each : fits) {
     if (each.reached() == nullptr) continue;
@@ -69,7 +68,7 @@ std::vector<PlannedFit> most_promising(std::span<const replay::PreparedRun> runs
   constexpr std::size_t most = 2;
   std::vector<PlannedFit> out;
   std::vector<std::optional<fit::Fit>> fits(plans.size());
-  tbb::parallel_for(std::size_t{0}, plans.size(), [&](std::size_t i) {
+  fit::in_parallel(plans.size(), [&](std::size_t i) {
     fit::FitRequest request = fit_request_of(runs, plans[i]);
     if (request.derivatives_from == nullptr) request.derivatives_from = at_declared;
     request.effort = ends_by_what_is_left(search_effort.short_fit, known);
@@ -245,14 +244,14 @@ LevelFits fit_level(std::span<const replay::PreparedRun> runs, const std::vector
   std::vector<std::optional<ShortFit>> short_fits(starts.size());
   std::mutex reporting;
   std::size_t done = 0;
-  tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) {
+  fit::in_parallel(starts.size(), [&](std::size_t i) {
     short_fits[i] = short_fit(runs, *planned[places[i]].base, starts[i]);
     const std::scoped_lock lock(reporting);
     progress(done, pointer_to(short_fits[i]));
   });
   const double worth_other_starts =
       search_effort.worth_more_runs * explained_by_an_answer(runs, planned, places, short_fits);
-  tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) {
+  fit::in_parallel(starts.size(), [&](std::size_t i) {
     const PlannedExtension& plan = planned[places[i]];
     const bool is_worth_it = plan.predicted_fall >= worth_other_starts || is_worse_than(*plan.base, short_fits[i]);
     if (is_worth_it)
@@ -291,7 +290,7 @@ LevelFits fit_level(std::span<const replay::PreparedRun> runs, const std::vector
   for (const PlannedExtension& each : planned) before = std::min(before, each.base->fit.objective());
   const std::vector<char> worth = worth_more_runs(objectives, before);
   std::vector<MaybeFit> fits(found.size());
-  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+  fit::in_parallel(found.size(), [&](std::size_t i) {
     ShortFit& from = found[i].fit;
     const auto rank = static_cast<std::size_t>(std::ranges::find(order, found[i].place) - order.begin());
     if (rank < refined && worth[rank] != 0)

@@ -1,13 +1,12 @@
 #include "measurement/identification/linear_screening.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <optional>
 
 #include "coilwright/algebra/minimum_norm.hpp"
+#include "measurement/fit/parallel.hpp"
 #include "measurement/fit/residual_blocks.hpp"
 #include "measurement/identification/effect_strength.hpp"
 #include "measurement/identification/search_effort.hpp"
@@ -88,7 +87,7 @@ Effect at_predicted_strength(Effect guess, double share) {
 std::vector<ScreenedEffect> screen_effects(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
                                            const ScreeningRequest& request) {
   std::vector<ScreenedEffect> out = guesses_of(base, request);
-  tbb::parallel_for(std::size_t{0}, out.size(), [&](std::size_t i) {
+  fit::in_parallel(out.size(), [&](std::size_t i) {
     const PlannedFit plan = with_added_effects(base, std::span(&out[i].guess, 1));
     auto direction = residual_direction(fit_request_of(runs, plan), base.fit);
     if (!direction) return;

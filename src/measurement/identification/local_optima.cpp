@@ -1,7 +1,5 @@
 #include "measurement/identification/local_optima.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "measurement/fit/parallel.hpp"
 #include "measurement/identification/model_error.hpp"
 #include "measurement/identification/profile_likelihood.hpp"
 #include "measurement/identification/search_effort.hpp"
@@ -73,7 +72,7 @@ std::vector<ScanFit> tried_on_both_sides(const ScanLine& line) {
   std::ranges::sort(starts);
   starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
   std::vector<ScanFit> out(starts.size());
-  tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) { out[i] = line.tried(starts[i]); });
+  fit::in_parallel(starts.size(), [&](std::size_t i) { out[i] = line.tried(starts[i]); });
   return out;
 }
 

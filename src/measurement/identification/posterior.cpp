@@ -1,7 +1,5 @@
 #include "measurement/identification/posterior.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "measurement/fit/parallel.hpp"
 #include "measurement/identification/weighed_fit.hpp"
 
 namespace coilwright::measurement::identification {
@@ -108,7 +107,7 @@ WeighedHypotheses posterior_of(std::span<const replay::PreparedRun> runs, const 
                                const actuator::RigScale& scale, std::span<const Belief> beliefs) {
   std::vector<WeighedFit> all(1 + fitted.size());
   const auto fit_of = [&](std::size_t i) -> const FittedHypothesis& { return i == 0 ? declared : fitted[i - 1]; };
-  tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) { all[i] = weighed(runs, fit_of(i), scale); });
+  fit::in_parallel(all.size(), [&](std::size_t i) { all[i] = weighed(runs, fit_of(i), scale); });
   std::vector<std::size_t> best;  // fit of each hypothesis
   double share = 1.0;
   const auto log_weight = [&](std::size_t i) {

@@ -1,6 +1,6 @@
 #include "measurement/identification/reached_limits.hpp"
 
-#include <tbb/parallel_for.h>
+#include "measurement/fit/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +57,7 @@ std::vector<PlannedFit> from_reached_limits(std::span<const replay::PreparedRun>
       return plan;
     };
     std::vector<double> objectives(places.size(), std::numeric_limits<double>::infinity());
-    tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t k) {
+    fit::in_parallel(places.size(), [&](std::size_t k) {
       const PlannedFit plan = at(places[k]);
       // Local numbers follow by the derivatives of the fit: a place that is chosen is fitted with its own.
       fit::FitRequest request = fit_request_of(runs, plan);

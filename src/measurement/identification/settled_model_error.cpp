@@ -1,13 +1,12 @@
 #include "measurement/identification/settled_model_error.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "measurement/fit/input_errors.hpp"
 #include "measurement/fit/outliers.hpp"
+#include "measurement/fit/parallel.hpp"
 #include "measurement/identification/model_error.hpp"
 #include "measurement/identification/other_optima.hpp"
 #include "measurement/identification/staged_fit.hpp"
@@ -49,7 +48,7 @@ Attribution with_settled_model_error(std::span<replay::PreparedRun> runs, Attrib
     std::vector<FittedHypothesis*> all{&found.before};
     if (has_effects) all.push_back(&found.after);
     for (FittedHypothesis& rival : found.rivals) all.push_back(&rival);
-    tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) { *all[i] = fitted_anew(runs, *all[i]); });
+    fit::in_parallel(all.size(), [&](std::size_t i) { *all[i] = fitted_anew(runs, *all[i]); });
     if (!has_effects) found.after = found.before;
   }
   return found;

@@ -1,7 +1,6 @@
 #include "measurement/identification/window_subsample.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "measurement/fit/parallel.hpp"
 #include "measurement/identification/search_effort.hpp"
 #include "measurement/identification/staged_fit.hpp"
 
@@ -75,7 +75,7 @@ void WindowSubsample::hand_on_outliers() const {
 
 std::vector<FittedHypothesis> WindowSubsample::on_all(std::span<const FittedHypothesis> best) const {
   std::vector<std::optional<FittedHypothesis>> found(best.size());
-  tbb::parallel_for(std::size_t{0}, best.size(), [&](std::size_t i) {
+  fit::in_parallel(best.size(), [&](std::size_t i) {
     found[i] = fit_exactly(all_, {.hypothesis = best[i].hypothesis, .start = best[i].fit.values});
   });
   std::vector<FittedHypothesis> out;

@@ -1,8 +1,6 @@
 #include "coilwright/measurement/planning/experiment_plan.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -10,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "measurement/fit/parallel.hpp"
 #include "measurement/identification/rig_scale.hpp"
 #include "measurement/planning/candidate_runs.hpp"
 #include "measurement/planning/projected_changes.hpp"
@@ -111,8 +110,8 @@ class Planning {
   void find_strengths(const std::vector<const EffectKind*>& kinds, const actuator::RigScale& scale) {
     const DetectionLimit limit{.samples = static_cast<double>(plan_.samples), .overdispersion = plan_.overdispersion};
     std::vector<SmallestStrength> found(kinds.size());
-    tbb::parallel_for(std::size_t{0}, kinds.size(),
-                      [&](std::size_t i) { found[i] = smallest_strength(records_, *kinds[i], scale, limit); });
+    fit::in_parallel(kinds.size(),
+                     [&](std::size_t i) { found[i] = smallest_strength(records_, *kinds[i], scale, limit); });
     for (SmallestStrength& each : found) {
       compared_.push_back(
           {.effect = each.effect, .visible = each.visible, .numbers = records_.numbers_of(each.effect)});
@@ -182,10 +181,9 @@ class Planning {
 
 ExperimentPlan plan_experiment(const Experiment& experiment, const replay::DeclaredModel& rig,
                                const PlanOptions& options) {
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
   ExperimentPlan out;
   require_noise(experiment);
-  arena.execute([&] { out = Planning(experiment, rig, options).run(); });
+  fit::with_threads(options.threads, [&] { out = Planning(experiment, rig, options).run(); });
   return out;
 }
 

@@ -1,7 +1,6 @@
 #include "measurement/planning/informative_experiment.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "coilwright/algebra/spectral.hpp"
+#include "measurement/fit/parallel.hpp"
 #include "measurement/planning/candidate_runs.hpp"
 #include "measurement/planning/expected_information.hpp"
 #include "measurement/planning/planned_motion.hpp"
@@ -290,7 +290,7 @@ std::optional<NextExperiment> informative_experiment(std::span<const replay::Pre
   const double accuracy = accuracy_of_bench(current, explanations.front());
 
   std::vector<double> after_run(candidates.size() + 1);  // the last one is that of a torque bench
-  tbb::parallel_for(std::size_t{0}, after_run.size(), [&](std::size_t i) {
+  fit::in_parallel(after_run.size(), [&](std::size_t i) {
     after_run[i] =
         log_bits_after(explanations, i < candidates.size() ? motion_readings(candidates[i].run, recorded.instruments)
                                                            : bench_readings(current, accuracy));

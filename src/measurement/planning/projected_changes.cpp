@@ -1,11 +1,10 @@
 #include "measurement/planning/projected_changes.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "coilwright/algebra/minimum_norm.hpp"
+#include "measurement/fit/parallel.hpp"
 #include "measurement/identification/effect_strength.hpp"
 
 namespace coilwright::measurement::planning {
@@ -47,7 +46,7 @@ ProjectedChanges::ProjectedChanges(const LinearisedRecords& records, const std::
   const fit::Fit& base = records.base().fit;
   Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(base.stacked_residuals.size(), first_.back());
   std::vector<char> known(columns.size(), 0);
-  tbb::parallel_for(std::size_t{0}, columns.size(), [&](std::size_t i) {
+  fit::in_parallel(columns.size(), [&](std::size_t i) {
     const auto change = records.change_by(columns[i]);
     if (!change || !change->allFinite()) return;
     changes.col(static_cast<Eigen::Index>(i)) = *change;

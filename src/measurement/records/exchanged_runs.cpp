@@ -1,7 +1,6 @@
 #include "measurement/records/exchanged_runs.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <boost/math/distributions/fisher_f.hpp>
@@ -9,6 +8,7 @@
 #include <optional>
 
 #include "coilwright/measurement/signals/correlation_time.hpp"
+#include "measurement/fit/parallel.hpp"
 #include "measurement/records/declared_readings.hpp"
 
 namespace coilwright::measurement::records {
@@ -25,7 +25,7 @@ struct Shown {
 std::vector<Shown> shown_by(std::span<const data::Run> runs, const replay::DeclaredModel& declared) {
   const fit::Hypothesis as_declared(declared, {});
   std::vector<Shown> all(runs.size());
-  tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t r) {
+  fit::in_parallel(runs.size(), [&](std::size_t r) {
     if (!is_motion_of_angles(runs[r])) return;
     const auto readings = declared_readings(runs[r], declared, as_declared);
     if (!readings) return;

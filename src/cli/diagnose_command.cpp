@@ -13,6 +13,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <ratio>
 #include <stdexcept>
@@ -134,17 +135,23 @@ void write(const DiagnoseOptions& options, const results::AskedDiagnosis& asked,
   }
 }
 
+// Writes what is known, if anything is, before an error of the work ends the command by what this says of both.
+std::string with_what_is_known(const DiagnoseOptions& options, const results::AskedDiagnosis& asked,
+                               const std::optional<Diagnosis>& known, const FitRecord& record, std::string_view why) {
+  if (known) write(options, asked, *known, record);
+  return fmt::format("{}: {}{}", why,
+                     known ? fmt::format("{} has what is known so far, marked as incomplete", options.out)
+                           : std::string("nothing is known yet"),
+                     record.known_fits ? "; --resume goes on from the fits that had ended" : "");
+}
+
 // What is known is written, and the work, which knows nothing of signals and limits, ends with the program.
 [[noreturn]] void end_interrupted(const DiagnoseOptions& options, const results::AskedDiagnosis& asked,
                                   const std::optional<Diagnosis>& known, const FitRecord& record,
                                   std::string_view why) {
   ExitCode code = ExitCode::interrupted;
   try {
-    if (known) write(options, asked, *known, record);
-    std::cerr << "coilwright: " << why << ": "
-              << (known ? fmt::format("{} has what is known so far, marked as incomplete", options.out)
-                        : std::string("nothing is known yet"))
-              << (record.known_fits ? "; --resume goes on from the fits that had ended\n" : "\n");
+    std::cerr << "coilwright: " << with_what_is_known(options, asked, known, record, why) << '\n';
   } catch (const std::exception& reason) {
     std::cerr << "coilwright: " << reason.what() << '\n';
     code = ExitCode::failure;
@@ -184,6 +191,10 @@ void run_diagnose(const DiagnoseOptions& options) {
     record.unlock();
     end_interrupted(options, asked, known.get(), record, why);
   };
+  const auto failure = [&](std::string_view why) {
+    record.unlock();
+    return std::runtime_error(with_what_is_known(options, asked, known.get(), record, why));
+  };
   constexpr std::chrono::milliseconds soon{50};
   using Minutes = std::chrono::duration<double, std::ratio<60>>;
   const auto begun = std::chrono::steady_clock::now();
@@ -195,8 +206,14 @@ void run_diagnose(const DiagnoseOptions& options) {
   const Diagnosis diagnosis = [&] {
     try {
       return work.get();
-    } catch (const text::InputError&) {
+    } catch (const text::InputError& fault) {
+      if (known.get()) throw failure(fault.what());
       record.discard();
+      throw;
+    } catch (const std::bad_alloc&) {
+      throw;  // what is known could be written only in part
+    } catch (const std::exception& reason) {
+      if (known.get()) throw failure(reason.what());
       throw;
     }
   }();

@@ -35,6 +35,7 @@
 #include "measurement/records/exchanged_runs.hpp"
 #include "measurement/records/record_slips.hpp"
 #include "measurement/records/suspect_records.hpp"
+#include "measurement/replay/if_possible.hpp"
 #include "measurement/replay/recorded_noise.hpp"
 
 namespace coilwright::measurement {
@@ -261,7 +262,8 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   out.correction = nameless.outcome;
   timer.end_phase("nameless correction");
   say("what to record next");
-  out.next_experiment = planning::informative_experiment(runs, found);
+  out.next_experiment =
+      replay::if_possible<planning::NextExperiment>([&] { return planning::informative_experiment(runs, found); });
   out.odds = std::move(found.posterior);
   // Both were fitted again after they had been weighed.
   for (identification::WeighedHypothesis& each : out.odds.hypotheses)

@@ -17,6 +17,7 @@
 #include "coilwright/simulation/modes.hpp"
 #include "measurement/data/median_interval.hpp"
 #include "measurement/fit/hypothesis.hpp"
+#include "measurement/replay/if_possible.hpp"
 #include "measurement/replay/input_whitener.hpp"
 
 namespace coilwright::measurement {
@@ -198,8 +199,10 @@ std::vector<data::Warning> warnings_of(const Diagnosis& diagnosis, std::span<con
     if (errors.after.rmse > errors.before.rmse + notable_growth * errors.noise_floor_rmse)
       warn("on the runs that no fit has seen the effects make the error larger");
   if (const data::Run* slowest = slowest_record(runs)) {
-    if (const auto frequency = ringing_frequency(recalibrated(diagnosis, declared)))
-      warn_of_ringing(out, *slowest, *frequency, runs);
+    // Beside an effect numbers may lie where they make no model without it.
+    const auto frequency =
+        replay::if_possible<double>([&] { return ringing_frequency(recalibrated(diagnosis, declared)); });
+    if (frequency) warn_of_ringing(out, *slowest, *frequency, runs);
     warn_of_short_lags(out, diagnosis, *slowest);
   }
   warn_of_unknown_colour(out, diagnosis, runs);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "coilwright/measurement/records/record_slip.hpp"
@@ -57,6 +58,10 @@ measurement::Diagnosis diagnose(const AskedDiagnosis& asked, measurement::Diagno
         {.file = asked.set.file, .rule = fmt::format("{}; --as-written takes it as it is", slip.what())});
   } catch (const std::invalid_argument& misfit) {
     throw text::InputError({.file = asked.set.file, .rule = misfit.what()});
+  } catch (const std::system_error&) {
+    throw;  // of the machine
+  } catch (const std::domain_error& range) {
+    throw text::InputError({.file = asked.declared_file.string(), .rule = range.what()});
   } catch (const std::runtime_error& lost) {
     throw text::InputError({.file = asked.declared_file.string(), .rule = lost.what()});
   }

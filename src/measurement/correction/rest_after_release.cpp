@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 
 #include "coilwright/simulation/transient.hpp"
+#include "measurement/replay/if_possible.hpp"
 
 namespace coilwright::measurement::correction {
 namespace {
@@ -32,15 +32,13 @@ std::optional<double> last_rate(const Model& model, const VisitedStates::Extreme
   const simulation::State start{.angles = from.state.angles,
                                 .rates = JointVector::Zero(model.joints()),
                                 .internal = model.settled(from.state.angles, currents)};
-  try {
+  return replay::if_possible<double>([&]() -> std::optional<double> {
     const auto states = simulation::simulate(model, input, start, {.relative = 1e-5, .most_steps = most_steps});
     double largest = 0.0;
     for (std::size_t i = static_cast<std::size_t>(still_from * samples); i < states.size(); ++i)
       largest = std::max(largest, states[i].rates.cwiseAbs().maxCoeff());
     return std::isfinite(largest) ? std::optional(largest) : std::nullopt;
-  } catch (const std::runtime_error&) {
-    return std::nullopt;
-  }
+  });
 }
 
 }  // namespace

@@ -122,13 +122,15 @@ void set_bounds(ceres::Problem& problem, const Hypothesis& hypothesis, Eigen::Ve
   }
 }
 
-// Moves parameters, if they are free, and local numbers to the least squares. False if the solver finds no step.
-bool minimise(const FitRequest& request, const ResidualBlocks& blocks, bool parameters_free,
-              const std::vector<int>& held, Coordinator& coordinator, Eigen::VectorXd& values) {
+// Moves parameters, if they are free, and local numbers to the least squares. They stay where the solver finds no step.
+void minimise(const FitRequest& request, ResidualBlocks& blocks, bool parameters_free, const std::vector<int>& held,
+              Coordinator& coordinator, Eigen::VectorXd& values) {
   const bool has_local_numbers =
       std::ranges::any_of(blocks.blocks(), [](const ResidualBlock& block) { return !block.local.empty(); });
   const bool free = parameters_free && static_cast<std::size_t>(values.size()) > held.size();
-  if (!has_local_numbers && !free) return true;
+  if (!has_local_numbers && !free) return;
+  const Eigen::VectorXd values_before = values;
+  const std::vector<double> local_before(blocks.local_numbers().begin(), blocks.local_numbers().end());
   ceres::Problem::Options problem_options;
   problem_options.evaluation_callback = &coordinator;
   ceres::Problem problem(problem_options);
@@ -170,7 +172,10 @@ bool minimise(const FitRequest& request, const ResidualBlocks& blocks, bool para
   options.num_threads = 1;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
-  return summary.IsSolutionUsable();
+  if (summary.IsSolutionUsable()) return;
+  // The last step that it tried, all of which led where there is no model.
+  values = values_before;
+  std::ranges::copy(local_before, blocks.local_numbers().begin());
 }
 
 // Numbers that change no residual where the values are, and that their priors pull elsewhere: the closing angle of
@@ -235,7 +240,7 @@ std::optional<Optimum> least_squares(const FitRequest& request, ResidualBlocks& 
     if (!moved) break;
     const bool any_idle = !held.empty();
     if (request.held_parameter) held.push_back(static_cast<int>(*request.held_parameter));
-    if (!minimise(request, blocks, unknowns == Unknowns::all, held, coordinator, parameters)) return std::nullopt;
+    minimise(request, blocks, unknowns == Unknowns::all, held, coordinator, parameters);
     if (!any_idle) break;
   }
   ResidualValues* found = coordinator.here();

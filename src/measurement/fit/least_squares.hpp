@@ -21,8 +21,8 @@ struct Optimum {
 };
 
 /// Minimises the sum of squared residuals of `blocks`, which were built for `request`, and of the prior of the
-/// hypothesis, by Ceres. Nothing if the model
-/// at the start cannot be simulated or the solver finds no step.
+/// hypothesis, by Ceres. Where every step leads to numbers that make no model or no motion the optimum is the start.
+/// Nothing if the model at the start cannot be simulated.
 [[nodiscard]] std::optional<Optimum> least_squares(const FitRequest& request, ResidualBlocks& blocks,
                                                    Unknowns unknowns);
 

@@ -1,12 +1,12 @@
 #include "measurement/fit/residual_blocks.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "measurement/fit/fit.hpp"
 #include "measurement/fit/parallel.hpp"
 #include "measurement/fit/residual_place.hpp"
+#include "measurement/replay/if_possible.hpp"
 
 namespace coilwright::measurement::fit {
 
@@ -102,29 +102,24 @@ std::optional<ResidualValues> ResidualBlocks::evaluate(const Eigen::VectorXd& pa
   if (derivatives == Derivatives::none) return out;
   for (std::size_t b = 0; b < blocks_.size(); ++b) out.blocks[b].jacobian.setZero(blocks_[b].rows, parameters.size());
   if (derivatives == Derivatives::all) {
-    const auto displaced = displaced_models(parameters);
-    if (!displaced) return std::nullopt;
-    for (const replay::PreparedRun& prepared : request_.runs) prepared.count_simulations(displaced->size());
-    add_jacobian(parameters, *displaced, out);
+    const std::vector<Displaced> displaced = displaced_models(parameters);
+    for (const replay::PreparedRun& prepared : request_.runs) prepared.count_simulations(displaced.size());
+    add_jacobian(parameters, displaced, out);
     add_known_columns(out);
   }
-  if (!add_local_jacobian(here_->models, here_->runs, out)) return std::nullopt;
+  add_local_jacobian(here_->models, here_->runs, out);
   return out;
 }
 
 std::optional<ResidualBlocks::Models> ResidualBlocks::models_at(const Eigen::VectorXd& parameters) const {
-  try {
-    return Models(request_.hypothesis->spec_at(parameters), rigs_);
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
+  return replay::if_possible<Models>([&] { return Models(request_.hypothesis->spec_at(parameters), rigs_); });
 }
 
 std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_run(const Models& models, std::size_t r,
                                                                       const RunValues* nearby) const {
   const Model& model = models.on(rig_of_run_[r]);
-  std::optional<RunValues> out =
-      request_.runs[r].is_motion() ? evaluate_windows(model, r, nearby) : evaluate_bench(model, r);
+  auto out = replay::if_possible<RunValues>(
+      [&] { return request_.runs[r].is_motion() ? evaluate_windows(model, r, nearby) : evaluate_bench(model, r); });
   if (out && !std::ranges::all_of(out->residuals, [](const Eigen::VectorXd& one) { return one.allFinite(); }))
     return std::nullopt;
   return out;

@@ -82,12 +82,11 @@ class ResidualBlocks {
   [[nodiscard]] std::optional<RunValues> evaluate_windows(const actuator::Model& model, std::size_t run,
                                                           const RunValues* nearby) const;
   [[nodiscard]] bool takes_known_column(Eigen::Index parameter) const;
-  [[nodiscard]] std::optional<std::vector<Displaced>> displaced_models(const Eigen::VectorXd& parameters) const;
+  [[nodiscard]] std::vector<Displaced> displaced_models(const Eigen::VectorXd& parameters) const;
   void add_jacobian(const Eigen::VectorXd& parameters, const std::vector<Displaced>& displaced,
                     ResidualValues& values) const;
   void add_known_columns(ResidualValues& values) const;
-  [[nodiscard]] bool add_local_jacobian(const Models& models, const std::vector<RunValues>& runs,
-                                        ResidualValues& values) const;
+  void add_local_jacobian(const Models& models, const std::vector<RunValues>& runs, ResidualValues& values) const;
   [[nodiscard]] std::optional<Models> models_at(const Eigen::VectorXd& parameters) const;
   [[nodiscard]] double difference_step(const Eigen::VectorXd& parameters, Eigen::Index parameter) const;
 

@@ -58,9 +58,8 @@ bool ResidualBlocks::takes_known_column(Eigen::Index parameter) const {
   return request_.derivatives_from != nullptr && request_.hypothesis->is_nominal(parameter);
 }
 
-// Nothing if one of the models cannot be built.
-std::optional<std::vector<ResidualBlocks::Displaced>> ResidualBlocks::displaced_models(
-    const Eigen::VectorXd& parameters) const {
+// Without the numbers that make no model to either side.
+std::vector<ResidualBlocks::Displaced> ResidualBlocks::displaced_models(const Eigen::VectorXd& parameters) const {
   std::vector<Displaced> out;
   for (Eigen::Index i = 0; i < parameters.size(); ++i) {
     if (request_.held_parameter == i || takes_known_column(i)) continue;
@@ -73,14 +72,14 @@ std::optional<std::vector<ResidualBlocks::Displaced>> ResidualBlocks::displaced_
       at[i] += step;
       models = models_at(at);
     }
-    if (!models) return std::nullopt;
-    out.push_back({.parameter = i, .step = step, .models = std::move(*models)});
+    if (models) out.push_back({.parameter = i, .step = step, .models = std::move(*models)});
   }
   return out;
 }
 
-// Where a displaced model has no motion to either side (a pose about to lose its equilibrium), the derivatives of that
-// run are left at zero: the fit then moves on by the others, and takes no step that does not lower its objective.
+// Where there is no displaced model to either side, or none with a motion (a pose about to lose its equilibrium), the
+// derivatives are left at zero: the fit then moves on by the others, and takes no step that does not lower its
+// objective.
 void ResidualBlocks::add_jacobian(const Eigen::VectorXd& parameters, const std::vector<Displaced>& displaced,
                                   ResidualValues& values) const {
   const std::size_t runs = request_.runs.size();
@@ -123,10 +122,9 @@ double ResidualBlocks::difference_step(const Eigen::VectorXd& parameters, Eigen:
   return parameters[i] + step <= parameter.upper ? step : -step;
 }
 
-// Whether all windows could be simulated.
-bool ResidualBlocks::add_local_jacobian(const Models& models, const std::vector<RunValues>& runs,
+// The same of the numbers of one window, but for their priors.
+void ResidualBlocks::add_local_jacobian(const Models& models, const std::vector<RunValues>& runs,
                                         ResidualValues& values) const {
-  std::vector<char> simulated(blocks_.size(), 1);
   in_parallel(blocks_.size(), [&](std::size_t b) {
     const ResidualBlock& block = blocks_[b];
     ResidualValues::Block& out = values.blocks[b];
@@ -149,18 +147,16 @@ bool ResidualBlocks::add_local_jacobian(const Models& models, const std::vector<
         }
         continue;
       }
-      const LocalStep step = local_step(block, window, i);
+      LocalStep step = local_step(block, window, i);
       std::vector<double> displaced(block.local.begin(), block.local.end());
       displaced[i] += step.number;
       const replay::LocalValues there{.numbers = &block.numbers, .values = displaced};
       std::optional<Trajectory> moved;
-      if (block.numbers.moves(i)) {
+      for (int side = 0; side < 2 && block.numbers.moves(i) && !moved; ++side) {
+        if (side == 1) step.number = -step.number;
+        displaced[i] = block.local[i] + step.number;
         moved = replay::simulate_window(model, window, there, runs[block.run].internal[in_run],
                                         &runs[block.run].trajectories[in_run]);
-        if (!moved) {
-          simulated[b] = 0;
-          return;
-        }
       }
       const Trajectory& motion = moved ? *moved : runs[block.run].trajectories[in_run];
       const Eigen::VectorXd predicted = replay::observed_values(model, prepared, window, motion, there);
@@ -169,7 +165,6 @@ bool ResidualBlocks::add_local_jacobian(const Models& models, const std::vector<
       out.local_jacobian.col(column).head(samples) *= step.slope_over_chord;
     }
   });
-  return std::ranges::count(simulated, 0) == 0;
 }
 
 void ResidualBlocks::carry_derivatives(const ResidualPoint& from, ResidualPoint& to) const {

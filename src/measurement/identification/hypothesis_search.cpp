@@ -348,9 +348,7 @@ class HypothesisSearch {
       if (done % 8 == 0 && done != reported) report(fmt::format("{} of {} hypotheses compared", done, planned.size()));
       reported = done;
     });
-    for (const EffectKind* kind : fits.failed) {
-      failed_.push_back({.effects = {kind}, .remark = "leaves the model from every start that was tried"});
-    }
+    std::ranges::move(fits.failed, std::back_inserter(failed_));
     return std::move(fits.level);
   }
 

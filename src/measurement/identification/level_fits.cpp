@@ -14,6 +14,7 @@
 #include "measurement/identification/reached_limits.hpp"
 #include "measurement/identification/search_effort.hpp"
 #include "measurement/identification/staged_fit.hpp"
+#include "measurement/replay/if_possible.hpp"
 
 namespace coilwright::measurement::identification {
 namespace {
@@ -130,6 +131,15 @@ std::vector<std::vector<std::vector<Effect>>> by_choices(const std::vector<std::
     }
   }
   return out;
+}
+
+// A hypothesis that could be fitted from none of its starts.
+RuledOut ruled_out(const PlannedExtension& planned) {
+  const PlannedFit plan = with_added_effects(*planned.base, planned.starts.front());
+  const auto refusal = replay::refusal_of([&] { (void)plan.hypothesis.model_at(plan.start); });
+  return {.effects = planned.kinds(),
+          .remark = "leaves the model from every start that was tried: " +
+                    refusal.value_or("its motion cannot be followed under all inputs of the records")};
 }
 
 // What the best of several short fits explains of what its base leaves, if it leaves noise where it converges (it is
@@ -274,7 +284,7 @@ LevelFits fit_level(std::span<const replay::PreparedRun> runs, const std::vector
     found.push_back({.place = places[i], .fit = std::move(*short_fits[i])});
   }
   for (std::size_t place = 0; place < planned.size(); ++place)
-    if (failed[place] != 0 && planned[place].kinds().size() == 1) out.failed.push_back(planned[place].kinds().front());
+    if (failed[place] != 0) out.failed.push_back(ruled_out(planned[place]));
   std::ranges::stable_sort(found, {}, [](const Found& each) { return each.fit.fitted.objective(); });
 
   // A planned hypothesis stands where its best discrete choices do; what becomes of its other ones is known only once

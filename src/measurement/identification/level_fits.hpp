@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "coilwright/actuator/model/effect.hpp"
+#include "coilwright/measurement/identification/posterior.hpp"
 #include "measurement/identification/fitted_hypothesis.hpp"
 #include "measurement/identification/hypothesis_extension.hpp"
 #include "measurement/identification/staged_fit.hpp"
@@ -29,8 +29,8 @@ using HypothesesOfSize = std::vector<FittedHypothesis>;
 
 /// The fits of planned hypotheses.
 struct LevelFits {
-  HypothesesOfSize level{};                           ///< best of the short fits first
-  std::vector<const actuator::EffectKind*> failed{};  ///< those that alone leave the model from every start
+  HypothesesOfSize level{};        ///< best of the short fits first
+  std::vector<RuledOut> failed{};  ///< those that leave the model from every start, and why
 };
 
 /// A short fit of each of `planned`, from its starts with each set of discrete choices; those of the best `refined`

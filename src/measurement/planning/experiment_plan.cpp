@@ -13,6 +13,7 @@
 #include "measurement/planning/candidate_runs.hpp"
 #include "measurement/planning/projected_changes.hpp"
 #include "measurement/planning/smallest_strength.hpp"
+#include "measurement/replay/if_possible.hpp"
 
 namespace coilwright::measurement::planning {
 namespace {
@@ -129,18 +130,16 @@ class Planning {
                          .input = std::move(each.input),
                          .why = std::move(each.why),
                          .run = std::move(each.run)};
-      try {
+      // A run that the declared rig cannot follow is no proposal, nor is one that this rig cannot have: a voltage on
+      // another wiring, a camera that sees nothing move.
+      const auto refusal = replay::refusal_of([&] {
         const auto simulations = std::make_shared<std::atomic<long>>();
         const LinearisedRecords more(only_with(experiment_, candidate.run), rig_, options_.seed, simulations);
         const ProjectedChanges alone(more, compared_);
         plan_.simulated_runs += *simulations;
         weigh(candidate, without, without.with(alone));
-        plan_.added_runs.push_back(std::move(candidate));
-      } catch (const std::runtime_error&) {
-        // A run that the declared rig cannot follow is no proposal.
-      } catch (const std::invalid_argument&) {
-        // Nor is one that this rig cannot have: a voltage on another wiring, a camera that sees nothing move.
-      }
+      });
+      if (!refusal) plan_.added_runs.push_back(std::move(candidate));
     }
     std::ranges::stable_sort(plan_.added_runs, [](const AddedRun& a, const AddedRun& b) {
       const std::size_t gain_a = a.newly_visible + a.separated_pairs;

@@ -7,7 +7,6 @@
 #include <functional>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +17,7 @@
 #include "measurement/planning/expected_information.hpp"
 #include "measurement/planning/planned_motion.hpp"
 #include "measurement/planning/recorded_experiment.hpp"
+#include "measurement/replay/if_possible.hpp"
 #include "measurement/replay/rig_change.hpp"
 
 namespace coilwright::measurement::planning {
@@ -41,18 +41,6 @@ struct Explanation {
   double probability{};  // over that of all that are left
 };
 
-// Nothing where numbers make no model, or no motion.
-template <typename Make>
-auto if_possible(const Make& make) -> std::optional<decltype(make())> {
-  try {
-    return make();
-  } catch (const std::runtime_error&) {
-    return std::nullopt;
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
-}
-
 // A run with its times, and what perfect instruments show of it: channel after channel, SI.
 struct Seen {
   data::Run run;
@@ -66,7 +54,7 @@ std::optional<Seen> seen_by(const fit::Hypothesis& hypothesis, const VectorXd& n
   run.plan.clock = {};
   run.plan.hold = {};
   run.input_rate = 0.0;
-  return if_possible([&] {
+  return replay::if_possible<Seen>([&] {
     const Model model(replay::on_changed_rig(hypothesis.spec_at(numbers), run.plan.rig));
     data::Run seen = with_inputs(run, model);
     VectorXd values = true_values(run, seen, {}, hypothesis.declared(), model);
@@ -110,7 +98,8 @@ double accuracy_of_bench(double current, const Explanation& explanation) {
 
 Readings bench_readings(double current, double accuracy) {
   return [=](const fit::Hypothesis& hypothesis, const VectorXd& numbers) -> std::optional<VectorXd> {
-    return if_possible([&]() -> VectorXd { return bench_torques(current, hypothesis, numbers) / accuracy; });
+    return replay::if_possible<VectorXd>(
+        [&] { return VectorXd(bench_torques(current, hypothesis, numbers) / accuracy); });
   };
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "measurement/fit/hypothesis.hpp"
 #include "measurement/records/declared_readings.hpp"
 #include "measurement/records/other_readings.hpp"
+#include "measurement/replay/if_possible.hpp"
 
 namespace coilwright::measurement::records {
 namespace {
@@ -45,11 +45,8 @@ struct Declared {
 
   // Nothing where it cannot follow the input, or where numbers that were meant otherwise are none it can be asked for.
   [[nodiscard]] std::optional<std::vector<DeclaredReadings>> readings_of(const data::Run& run) const {
-    try {
-      return declared_readings(run, model, as_declared);
-    } catch (const std::exception&) {
-      return std::nullopt;
-    }
+    using Readings = std::vector<DeclaredReadings>;
+    return replay::if_possible<Readings>([&] { return declared_readings(run, model, as_declared); });
   }
 };
 

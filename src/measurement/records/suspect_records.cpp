@@ -15,6 +15,7 @@
 #include "measurement/data/equal_stretches.hpp"
 #include "measurement/fit/hypothesis.hpp"
 #include "measurement/records/declared_readings.hpp"
+#include "measurement/replay/if_possible.hpp"
 #include "measurement/replay/prediction.hpp"
 #include "measurement/replay/rig_change.hpp"
 
@@ -218,7 +219,8 @@ std::vector<data::Warning> unanswered_runs(std::span<const data::Run> runs, cons
   std::vector<data::Warning> out;
   for (const data::Run& run : runs) {
     if (!is_motion_of_angles(run)) continue;
-    const auto readings = declared_readings(run, declared, as_declared);
+    using Readings = std::vector<DeclaredReadings>;
+    const auto readings = replay::if_possible<Readings>([&] { return declared_readings(run, declared, as_declared); });
     if (!readings) continue;
     const actuator::Model model(replay::on_changed_rig(as_declared.spec_at(as_declared.start()), run.rig));
     for (const DeclaredReadings& angle : *readings) {

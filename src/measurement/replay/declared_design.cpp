@@ -1,8 +1,5 @@
 #include "coilwright/measurement/replay/declared_design.hpp"
 
-#include <exception>
-#include <new>
-#include <stdexcept>
 #include <utility>
 
 #include "coilwright/actuator/assemble.hpp"
@@ -107,13 +104,7 @@ class DeclaredDesign::State {
   }
 
   [[nodiscard]] actuator::Calibration calibration_by(const actuator::Measured& measured) const {
-    try {
-      return actuator::calibrate(design_, measured);
-    } catch (const std::bad_alloc&) {
-      throw;
-    } catch (const std::exception& reason) {
-      throw std::invalid_argument(reason.what());
-    }
+    return actuator::calibrate(design_, measured);
   }
 
   std::shared_ptr<const ModelSpec> assembled_at(const Design& design, std::span<const double> values) {

@@ -3,10 +3,12 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "coilwright/actuator/model/model.hpp"
 #include "coilwright/units/angle.hpp"
+#include "measurement/replay/if_possible.hpp"
 
 namespace coilwright::measurement::replay {
 namespace {
@@ -87,7 +89,8 @@ std::vector<DuplicateNumber> duplicate_numbers(const DeclaredModel& declared, st
   for (Eigen::Index i = 0; i < nominal.size(); i += model.joints())
     weights.segment(i, model.joints()).setConstant(1.0 / std::max(nominal.segment(i, model.joints()).norm(), 1e-9));
 
-  const auto effect_of = [&](std::size_t number) -> Eigen::VectorXd {
+  // Nothing where the number makes no model to a side: it moves something, and nothing says that another does the same.
+  const auto effect_of = [&](std::size_t number) {
     const CalibrationParameter& each = declared.calibration[number];
     const double step = each.tolerance ? step_over_tolerance * each.tolerance->deviation : step_over_scale * each.scale;
     const auto moved = [&](double by) {
@@ -95,13 +98,16 @@ std::vector<DuplicateNumber> duplicate_numbers(const DeclaredModel& declared, st
       at[number] = std::clamp(each.declared + by, each.lower, each.upper);
       return all_accelerations(Model(declared.build(at)), scenes);
     };
-    return (moved(step) - moved(-step)).cwiseProduct(weights);
+    return if_possible<Eigen::VectorXd>(
+        [&] { return Eigen::VectorXd((moved(step) - moved(-step)).cwiseProduct(weights)); });
   };
 
   std::vector<DuplicateNumber> out;
   std::vector<std::pair<std::size_t, Eigen::VectorXd>> kept;  // effects of length 1
   for (std::size_t number = 0; number < declared.calibration.size(); ++number) {
-    Eigen::VectorXd effect = effect_of(number);
+    std::optional<Eigen::VectorXd> possible = effect_of(number);
+    if (!possible) continue;
+    Eigen::VectorXd& effect = *possible;
     // A millionth of the accelerations: what is left of rounding.
     const bool nothing = effect.norm() <= 1e-6 * std::sqrt(static_cast<double>(poses));
     if (!nothing) effect.normalize();

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "coilwright/simulation/initial_state.hpp"
 #include "coilwright/simulation/transient.hpp"
 #include "coilwright/thermal/transient.hpp"
+#include "measurement/replay/if_possible.hpp"
 #include "measurement/replay/input_rows.hpp"
 #include "measurement/replay/input_whitener.hpp"
 #include "measurement/replay/window_input.hpp"
@@ -168,8 +168,8 @@ Eigen::VectorXd coil_temperatures(const thermal::Network& network, const data::R
 
 std::optional<Trajectory> simulated(const Model& model, const ModelInput& input, const State& start,
                                     const Trajectory* nearby = nullptr) {
-  Trajectory out{.times = input.times};
-  try {
+  return if_possible<Trajectory>([&] {
+    Trajectory out{.times = input.times};
     const double most_steps = most_steps_per_window + most_steps_per_sample * static_cast<double>(input.times.size());
     out.states = simulation::simulate(model, input, start,
                                       {.relative = relative_accuracy,
@@ -177,10 +177,8 @@ std::optional<Trajectory> simulated(const Model& model, const ModelInput& input,
                                        .ends_at_rest = true,
                                        .steps = nearby != nullptr ? &nearby->steps : nullptr,
                                        .taken = nearby == nullptr ? &out.steps : nullptr});
-  } catch (const std::runtime_error&) {
-    return std::nullopt;
-  }
-  return out;
+    return out;
+  });
 }
 
 // The first row of an input is held for so long before it, with rows that are dense enough.
@@ -243,7 +241,7 @@ std::optional<Trajectory> simulate_window(const Model& model, const Window& wind
                                                       .errors = local.numbers->input_errors(local.values)});
   if (earlier > 0.0) begin_earlier(driven, earlier);
   const ModelInput& input = as_planned ? window.input : driven;
-  const std::optional<State> start = start_under(model, input, local, internal);
+  const auto start = if_possible<State>([&] { return start_under(model, input, local, internal); });
   return start ? simulated(model, input, *start, nearby) : std::nullopt;
 }
 

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <span>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "coilwright/actuator/model/effect_catalogue.hpp"
@@ -149,6 +152,21 @@ TEST(Fit, CountsEveryRunThatItSimulates) {
   EXPECT_EQ(prepared.simulated_runs(), 1);
   EXPECT_TRUE(evaluate_with_jacobian(request));
   EXPECT_EQ(prepared.simulated_runs(), 3);  // and once for each of the two parameters
+}
+
+// A curve of the declared model is one that just can be built.
+TEST(Fit, StaysWhereEveryStepLeadsToNoModel) {
+  replay::DeclaredModel declared = slide(3.0, 1.0);
+  declared.build = [whole = declared.build](std::span<const double> values) {
+    for (const auto& [value, start] : {std::pair(values[0], 3.0), std::pair(values[1], 1.0)})
+      if (value != start && std::abs(std::abs(value / start - 1.0) - 1e-4) > 1e-9)  // the step of a derivative
+        throw std::domain_error("curve: tolerance not reached");
+    return whole(values);
+  };
+  const auto run = slide_run(100, {}, no_error);
+  const Fit found = fitted(Prepared(declared, run));
+  EXPECT_EQ(found.values, Eigen::Vector2d(3.0, 1.0));
+  EXPECT_GT(found.jacobian.col(0).norm(), 0.0);
 }
 
 TEST(Fit, StaysWithinPhysicalBounds) {

@@ -32,30 +32,35 @@ void add_number(Crc& crc, Number value) {
   crc.process_bytes(bytes.data(), bytes.size());
 }
 
-void add_value(Crc& crc, sqlite3_value* value) {
+// False where SQLite has no memory for the bytes.
+bool add_value(Crc& crc, sqlite3_value* value) {
   const int type = sqlite3_value_type(value);
   crc.process_byte(static_cast<unsigned char>(type));
   switch (type) {
     case SQLITE_INTEGER:
-      return add_number(crc, static_cast<std::int64_t>(sqlite3_value_int64(value)));
+      add_number(crc, static_cast<std::int64_t>(sqlite3_value_int64(value)));
+      return true;
     case SQLITE_FLOAT:
-      return add_number(crc, sqlite3_value_double(value));
+      add_number(crc, sqlite3_value_double(value));
+      return true;
     case SQLITE_TEXT:
     case SQLITE_BLOB: {
       const void* bytes = type == SQLITE_TEXT ? sqlite3_value_text(value) : sqlite3_value_blob(value);
       const std::int64_t size = sqlite3_value_bytes(value);
+      if (size > 0 && bytes == nullptr) return false;
       add_number(crc, size);
       if (size > 0) crc.process_bytes(bytes, static_cast<std::size_t>(size));
-      return;
+      return true;
     }
     default:
-      return;
+      return true;
   }
 }
 
 void checksum(sqlite3_context* context, int count, sqlite3_value** values) {
   Crc crc;
-  for (int i = 0; i < count; ++i) add_value(crc, values[i]);
+  for (int i = 0; i < count; ++i)
+    if (!add_value(crc, values[i])) return sqlite3_result_error_nomem(context);
   sqlite3_result_int64(context, static_cast<std::int64_t>(crc.checksum()));
 }
 

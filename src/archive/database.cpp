@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <fstream>
+#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -128,6 +129,13 @@ SQLite::Database open(const fs::path& path, int flags, std::chrono::milliseconds
 
 }  // namespace
 
+void require_memory(const SQLite::Exception& error) {
+  // The index of its log is a part of memory that it maps.
+  const int code = error.getExtendedErrorCode();
+  if (error.getErrorCode() == SQLITE_NOMEM || code == SQLITE_IOERR_NOMEM || code == SQLITE_IOERR_SHMMAP)
+    throw std::bad_alloc();
+}
+
 text::InputError refusal_of(const fs::path& path, const SQLite::Exception& error) {
   const std::string what = error.what();
   switch (error.getErrorCode()) {
@@ -148,7 +156,6 @@ text::InputError refusal_of(const fs::path& path, const SQLite::Exception& error
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:
     case SQLITE_FULL:
-    case SQLITE_NOMEM:
       return error_about(path, "cannot be read: " + what);
     default:
       return error_about(path, fmt::format("is no archive of a study, or a torn one: {}; {}", what, cure));

@@ -47,6 +47,9 @@ void require_whole(const std::filesystem::path& path, SQLite::Database& database
 /// Gives an archive of version 2 the tables of this one, with the rows that it has counted. Throws SQLite::Exception.
 void bring_up_to_date(SQLite::Database& database, const std::vector<Column>& columns);
 
+/// Throws std::bad_alloc where SQLite ran out of memory: that says nothing of an archive, and nothing goes on after it.
+void require_memory(const SQLite::Exception& error);
+
 /// What SQLite says of an archive: a torn one, or what keeps it from being read just now, with the cure.
 [[nodiscard]] text::InputError refusal_of(const std::filesystem::path& path, const SQLite::Exception& error);
 
@@ -56,6 +59,7 @@ auto reading(const std::filesystem::path& path, Task&& task) {
   try {
     return std::forward<Task>(task)();
   } catch (const SQLite::Exception& error) {
+    require_memory(error);
     throw refusal_of(path, error);
   }
 }
@@ -66,6 +70,7 @@ auto writing(const std::filesystem::path& path, text::OutputError::Stage stage, 
   try {
     return std::forward<Task>(task)();
   } catch (const SQLite::Exception& error) {
+    require_memory(error);
     throw text::OutputError(path, error.what(), stage);
   }
 }

@@ -47,7 +47,8 @@ class TableOfFits {
                                                          checksum_sql(std::vector<std::string>{"asked", "found"})));
       Binder(selection).text(asked);
       if (selection.executeStep()) return selection.getColumn(0).getString();
-    } catch (const SQLite::Exception&) {
+    } catch (const SQLite::Exception& error) {
+      require_memory(error);
       // A torn page, or no lock: the fit is made again.
     }
     return std::nullopt;
@@ -63,6 +64,7 @@ class TableOfFits {
       insertion.exec();
       refusals_ = 0;
     } catch (const SQLite::Exception& error) {
+      require_memory(error);
       if (++refusals_ == most_refusals)
         on_refusal_(text::OutputError(path_, error.what(), text::OutputError::Stage::writing).what());
     }

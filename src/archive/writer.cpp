@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
+#include <exception>
 #include <map>
 #include <mutex>
 #include <span>
@@ -195,7 +196,15 @@ class Writer::Thread {
         insertions_.emplace(
             table, Insertion{.statement = {database_, insertion_of(table, columns_)}, .last_id = last_id_in(table)});
     });
-    thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
+    thread_ = std::jthread([this](const std::stop_token& stop) {
+      try {
+        work(stop);
+      } catch (...) {  // it is thrown on the thread of the run, which ends by it
+        const std::scoped_lock lock(guard_);
+        thrown_ = std::current_exception();
+        changed_.notify_all();
+      }
+    });
   }
 
   ~Thread() {
@@ -210,7 +219,8 @@ class Writer::Thread {
 
   void add(Row row) {
     std::unique_lock lock(guard_);
-    changed_.wait(lock, [this] { return waiting_.size() < most_waiting || refusal_; });
+    changed_.wait(lock, [this] { return waiting_.size() < most_waiting || refusal_ || thrown_; });
+    if (thrown_) std::rethrow_exception(thrown_);
     waiting_.push_back(std::move(row));
     if (waiting_.size() == 1 || waiting_.size() >= batch) changed_.notify_all();
   }
@@ -220,7 +230,8 @@ class Writer::Thread {
     hurry_ = true;
     changed_.notify_all();
     const std::size_t before = refusals_ + (writing_ > 0 ? 1 : 0);  // what is under way may have begun long ago
-    changed_.wait(lock, [&] { return (waiting_.empty() && writing_ == 0) || refusals_ > before; });
+    changed_.wait(lock, [&] { return (waiting_.empty() && writing_ == 0) || refusals_ > before || thrown_; });
+    if (thrown_) std::rethrow_exception(thrown_);
     hurry_ = false;
   }
 
@@ -293,6 +304,7 @@ class Writer::Thread {
         insert(rows);
         rows.clear();
       } catch (const SQLite::Exception& error) {
+        require_memory(error);
         refusal = refusal_of(error);
       }
       refused = refusal.has_value();
@@ -352,6 +364,7 @@ class Writer::Thread {
       require_locks(database_);
       task();
     } catch (const SQLite::Exception& error) {
+      require_memory(error);
       const std::scoped_lock lock(guard_);
       refusal_ = refusal_of(error);
     }
@@ -374,7 +387,8 @@ class Writer::Thread {
   std::deque<Row> waiting_;
   std::optional<std::string> refusal_;  // what the disk said first, until it takes all again
   std::size_t refusals_{};
-  std::size_t writing_{};  // so many are being written
+  std::exception_ptr thrown_{};  // what ended the thread
+  std::size_t writing_{};        // so many are being written
   bool hurry_{false};
   std::jthread thread_;  // last: it uses the others
 };

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -40,24 +43,45 @@ text::Json line_or_null(const std::string& part) {
   return text::text_or_null(text::one_line(part, longest_message));
 }
 
-ExitCode fail(ErrorFormat format, ExitCode code, std::string_view message, const text::Fault& fault = {}) {
+// What is told of an error.
+std::string told(ErrorFormat format, ExitCode code, std::string_view message, const text::Fault& fault = {}) {
   const std::string line = text::one_line(message, longest_message);
-  std::cerr.clear();  // progress that could not be written must not keep this back
-  if (format == ErrorFormat::line) {
-    std::cerr << "coilwright: " << line << '\n';
-    return code;
-  }
+  if (format == ErrorFormat::line) return fmt::format("coilwright: {}\n", line);
   using text::Json;
   // What is said of an option has it where others have their file.
   const bool of_option = fault.file.starts_with("--");
-  std::cerr << Json::object({{"error", Json::object({{"exit_code", static_cast<int>(code)},
-                                                     {"message", line},
-                                                     {"file", line_or_null(of_option ? "" : fault.file)},
-                                                     {"place", line_or_null(of_option ? fault.file : fault.place)},
-                                                     {"rule", line_or_null(fault.rule)},
-                                                     {"value", line_or_null(fault.value)}})}})
-                   .text();
+  return Json::object({{"error", Json::object({{"exit_code", static_cast<int>(code)},
+                                               {"message", line},
+                                               {"file", line_or_null(of_option ? "" : fault.file)},
+                                               {"place", line_or_null(of_option ? fault.file : fault.place)},
+                                               {"rule", line_or_null(fault.rule)},
+                                               {"value", line_or_null(fault.value)}})}})
+      .text();
+}
+
+ExitCode fail(ErrorFormat format, ExitCode code, std::string_view message, const text::Fault& fault = {}) {
+  std::cerr.clear();  // progress that could not be written must not keep this back
+  std::cerr << told(format, code, message, fault);
   return code;
+}
+
+// Made before the work, because there is no memory for it then; global, because nothing else reaches a terminate
+// handler.
+std::string out_of_memory;
+std::terminate_handler terminate_otherwise = nullptr;
+
+// Memory may fail where nothing can be thrown: under a library in C, in what clears up after another error, in the
+// telling of it.
+[[noreturn]] void end_out_of_memory() {
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    [[maybe_unused]] const ssize_t said = ::write(STDERR_FILENO, out_of_memory.data(), out_of_memory.size());
+    std::_Exit(static_cast<int>(ExitCode::failure));
+  } catch (...) {
+  }
+  terminate_otherwise();
+  std::abort();
 }
 
 // The command that the arguments chose (`rig torque-bench` is one below another), or the program itself.
@@ -144,7 +168,8 @@ ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, co
     const bool before_the_work = error.stage() == text::OutputError::Stage::preparing;
     return fail(format, before_the_work ? ExitCode::bad_input : ExitCode::failure, error.what());
   } catch (const std::bad_alloc&) {
-    return fail(format, ExitCode::failure, "out of memory");
+    std::cerr << out_of_memory;
+    return ExitCode::failure;
   } catch (const std::filesystem::filesystem_error& error) {
     const text::InputError told(
         {.file = error.path1().string(), .rule = "cannot be looked at: " + error.code().message()});
@@ -161,6 +186,9 @@ ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, co
 }  // namespace
 
 ExitCode run(std::span<const char* const> arguments, std::span<const AddCommand> commands) {
+  const ErrorFormat format = error_format_of(arguments);
+  out_of_memory = told(format, ExitCode::failure, "out of memory: --threads 1 takes the least");
+  if (std::get_terminate() != end_out_of_memory) terminate_otherwise = std::set_terminate(end_out_of_memory);
   CLI::App app("Sizes soft electromagnetic bending actuators and identifies which physical effect a model lacks.",
                "coilwright");
   app.set_version_flag("-V,--version", &results::version_text,
@@ -177,7 +205,6 @@ ExitCode run(std::span<const char* const> arguments, std::span<const AddCommand>
   add_completion_command(app, outcome);
   add_man_command(app, outcome);
 
-  const ErrorFormat format = error_format_of(arguments);
   if (const auto mistake = mistaken_command(format, app, arguments.subspan(std::min<std::size_t>(1, arguments.size()))))
     return *mistake;
   return parse_and_run(app, arguments, outcome);

@@ -1,3 +1,6 @@
+#include <malloc.h>
+#include <sys/resource.h>
+
 #include <array>
 #include <csignal>
 
@@ -30,10 +33,21 @@ constexpr std::array commands = {
     &coilwright::cli::add_init_command,     &coilwright::cli::add_schema_command,
 };
 
+// By default each thread of glibc's reserves 64 MB of addresses for its heap. Where that is not to be had, every
+// allocation of the thread is a page of its own from the system: 240 s for the work of 4. One heap for all threads
+// takes what there is, and fails where there is no more.
+void share_heap_where_addresses_are_few() {
+#ifdef M_ARENA_MAX
+  rlimit addresses{};
+  if (getrlimit(RLIMIT_AS, &addresses) == 0 && addresses.rlim_cur != RLIM_INFINITY) mallopt(M_ARENA_MAX, 1);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   // A file that may grow no further (ulimit -f) is then an error of the writing, told as a full disk is, and no death.
   std::signal(SIGXFSZ, SIG_IGN);
+  share_heap_where_addresses_are_few();
   return static_cast<int>(coilwright::cli::run({argv, static_cast<std::size_t>(argc)}, commands));
 }

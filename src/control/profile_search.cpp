@@ -127,7 +127,7 @@ void minimise(Profiles& profiles, Point start) {
   nlopt_set_xtol_abs1(optimiser.get(), 1e-4);
   double least{};
   // Profiles keeps the best point; where NLopt's own rounding stops it, that is as good an end as any other.
-  (void)nlopt_optimize(optimiser.get(), start.data(), &least);
+  if (nlopt_optimize(optimiser.get(), start.data(), &least) == NLOPT_OUT_OF_MEMORY) throw std::bad_alloc{};
   if (session.thrown) std::rethrow_exception(session.thrown);
 }
 

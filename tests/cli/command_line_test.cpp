@@ -30,6 +30,7 @@ void add_endings(CLI::App& app, Outcome& outcome) {
   add(app, "folder", [] { throw OutputError("out", "Permission denied", OutputError::Stage::preparing); });
   add(app, "disk", [] { throw OutputError("out", "No space left on device", OutputError::Stage::writing); });
   add(app, "memory", [] { throw std::bad_alloc(); });
+  add(app, "memory_in_c", []() noexcept { throw std::bad_alloc(); });
   add(app, "other", [] { throw std::runtime_error("two\nlines"); });
 }
 
@@ -66,8 +67,16 @@ TEST(CommandLine, EndsWithTwoWhenInputOrOutputFolderIsWrong) {
 TEST(CommandLine, EndsWithOneAndOneLineOnAnythingElse) {
   EXPECT_EQ(ending_of("disk"),
             (Ending{.code = 1, .error = "coilwright: out: cannot be written: No space left on device\n"}));
-  EXPECT_EQ(ending_of("memory"), (Ending{.code = 1, .error = "coilwright: out of memory\n"}));
+  EXPECT_EQ(ending_of("memory"),
+            (Ending{.code = 1, .error = "coilwright: out of memory: --threads 1 takes the least\n"}));
   EXPECT_EQ(ending_of("other"), (Ending{.code = 1, .error = "coilwright: two\\nlines\n"}));
+}
+
+// A function that a library in C calls may throw nothing.
+TEST(CommandLine, EndsWithOneLineWhereMemoryFailsInsideOfALibraryInC) {
+  constexpr std::array<AddCommand, 1> commands = {add_endings};
+  const std::array arguments = {"coilwright", "memory_in_c"};
+  EXPECT_EXIT((void)run(arguments, commands), ::testing::ExitedWithCode(1), "^coilwright: out of memory: .*\n$");
 }
 
 }  // namespace

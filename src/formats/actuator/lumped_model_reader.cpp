@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -116,6 +117,8 @@ void read_magnetics(const Node& node, LumpedModelContent& content) {
       }
       try {
         return actuator::hinge_pair_of(pair, coil);
+      } catch (const std::bad_alloc&) {
+        throw;
       } catch (const std::exception& why) {
         throw entries[j].error_without_value(fmt::format("must give a smooth torque over the angle: {}", why.what()));
       }

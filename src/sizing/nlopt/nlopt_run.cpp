@@ -72,6 +72,11 @@ struct Session {
   }
 };
 
+// NLopt says so, and would go another way.
+void require_memory(nlopt_result result) {
+  if (result == NLOPT_OUT_OF_MEMORY) throw std::bad_alloc{};
+}
+
 constexpr double worst = 1e30;  // only ever seen by NLopt, until it notices the forced stop
 
 double objective_callback(unsigned n, const double* x, double* gradient, void* data) noexcept {
@@ -124,17 +129,17 @@ std::vector<double> run_nlopt(const NloptTask& task) {
   nlopt_set_upper_bounds(opt.get(), task.upper.data());
   if (task.constraint_count > 0) {
     const std::vector<double> tolerance(task.constraint_count, 0.0);
-    nlopt_add_inequality_mconstraint(opt.get(), static_cast<unsigned>(task.constraint_count), constraint_callback,
-                                     &session, tolerance.data());
+    require_memory(nlopt_add_inequality_mconstraint(opt.get(), static_cast<unsigned>(task.constraint_count),
+                                                    constraint_callback, &session, tolerance.data()));
   }
   nlopt_set_maxeval(opt.get(), task.max_calls);
   if (task.relative_tolerance > 0) nlopt_set_xtol_rel(opt.get(), task.relative_tolerance);
-  if (task.first_step > 0) nlopt_set_initial_step1(opt.get(), task.first_step);
+  if (task.first_step > 0) require_memory(nlopt_set_initial_step1(opt.get(), task.first_step));
   std::vector<double> x = task.start;
   for (std::size_t i = 0; i < n; ++i) x[i] = std::clamp(x[i], task.lower[i], task.upper[i]);
   std::vector<double> start = x;
   double value = 0;
-  nlopt_optimize(opt.get(), x.data(), &value);
+  require_memory(nlopt_optimize(opt.get(), x.data(), &value));
   if (session.thrown) std::rethrow_exception(session.thrown);
   if (!std::ranges::all_of(x, [](double v) { return std::isfinite(v); })) return start;
   return x;

@@ -53,7 +53,9 @@ std::vector<std::string> fields_of(std::string_view line, char separator) {
   csv_set_delim(&parser, static_cast<unsigned char>(blank ? blank_cut : separator));
   csv_parse(&parser, cut.data(), cut.size(), take_field, nullptr, &fields);
   csv_fini(&parser, take_field, nullptr, &fields);
+  const bool has_memory = csv_error(&parser) != CSV_ENOMEM;
   csv_free(&parser);
+  if (!has_memory) throw std::bad_alloc();
   return fields;
 }
 

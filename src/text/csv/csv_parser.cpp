@@ -130,6 +130,7 @@ void CsvParser::feed_line(std::string_view line) {
   }
   const std::size_t taken =
       csv_parse(&state.parser, line.data(), line.size(), &State::on_field, &State::on_row_end, &state);
+  if (csv_error(&state.parser) == CSV_ENOMEM) throw std::bad_alloc();
   if (taken != line.size()) {
     throw state.error(
         "must have quotes around whole fields only, and quotes inside them doubled (delete the line if it is damaged)");

@@ -1,4 +1,5 @@
 #include <cstdlib>
+#include <new>
 #include <opencv2/aruco.hpp>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core.hpp>
@@ -19,6 +20,7 @@ auto in_one_line(Work&& work) {
   try {
     return work();
   } catch (const cv::Exception& error) {
+    if (error.code == cv::Error::StsNoMem) throw std::bad_alloc();
     throw std::runtime_error("OpenCV refuses it: " + error.err);
   }
 }

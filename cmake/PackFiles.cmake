@@ -1,4 +1,4 @@
-# cmake -Droom=... -Dfunction=... -Dfolder=... "-Dfiles=a.json|b/c.csv" -Doutput=... -P PackFiles.cmake
+# cmake -Droom=... -Dplace=... -Dfunction=... -Dfolder=... "-Dfiles=a.json|b/c.csv" -Doutput=... -P PackFiles.cmake
 #
 # Writes a source with the text of each file, for the program that is installed without the folder.
 string(REPLACE "|" ";" files "${files}")
@@ -11,7 +11,7 @@ endforeach()
 list(LENGTH files count)
 file(WRITE "${output}" "#include <array>
 
-#include \"${room}/packed_files.hpp\"
+#include \"${place}/packed_files.hpp\"
 
 namespace coilwright::${room} {
 namespace {

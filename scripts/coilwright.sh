@@ -5,32 +5,21 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 "$root/scripts/setup.sh"
 program=$root/build/release/bin/coilwright
 
-# Says how far ninja is, by its own count: in one line that is written over at a terminal, in a line a minute elsewhere.
-# Silent where nothing is to be built.
-progress() {
-  local line last=$SECONDS terminal= shown=
-  if [[ -t 2 ]]; then terminal=1; fi
-  while IFS= read -r line; do
-    if [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]]; then
-      if [[ -n $terminal ]]; then
-        printf '\rcoilwright.sh: step %s of %s\033[K' "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" >&2
-        shown=1
-      elif ((SECONDS - last >= 60)); then
-        printf 'coilwright.sh: step %s of %s after %s s\n' "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" "$SECONDS" >&2
-        last=$SECONDS
-      fi
-    fi
-  done
-  if [[ -n $shown ]]; then printf '\r\033[K' >&2; fi
-}
+# What the command needs, and with --report the program that makes pages.
+subject=${1:-}
+if [[ $subject == help ]]; then subject=${2:-}; fi
+case $subject in
+  completion | man) targets=(programs) ;;
+  *) if grep -q "^COMMAND($subject," "$root/src/cli/commands.def"; then targets=("command_$subject"); else targets=(coilwright); fi ;;
+esac
+if [[ " $* " == *" --report"* ]]; then targets+=(command_report); fi
 
 (
   cd "$root"
   if [[ ! -x $program ]]; then
-    echo "coilwright.sh: builds the program first, once: about ten minutes on two cores" >&2
+    echo "coilwright.sh: compiles first what this command needs: some minutes, once" >&2
   fi
-  if ! { cmake --preset release && cmake --build --preset release --target coilwright; } </dev/null 2>&1 |
-    tee build.log | progress; then
+  if ! { cmake --preset release </dev/null >build.log 2>&1 && scripts/build.py "${targets[@]}"; }; then
     cat build.log >&2
     exit 1
   fi

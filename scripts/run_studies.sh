@@ -3,7 +3,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 program=build/release/bin/coilwright
-scripts/coilwright.sh --version
+scripts/setup.sh
+cmake --preset release
+cmake --build --preset release --target programs
 
 # run STUDY COMMAND: the study's file is configs/studies/STUDY.json
 run() {

@@ -13,4 +13,7 @@ esac
 scripts/setup.sh
 cmake --preset release
 cmake --build --preset release --target "${targets[@]}"
-ctest --preset release -j "$(nproc)" "${left_out[@]}"
+ctest --preset release -j "$(nproc)" "${left_out[@]}" | tee build/tests.log
+if grep -q '(Skipped)$' build/tests.log; then
+  echo "Tests that are Skipped above need programs or libraries that are not installed: scripts/setup.sh ci installs them."
+fi

@@ -57,7 +57,7 @@ def faults_of_index() -> list[str]:
 def faults_of_lists() -> list[str]:
     """What is a list in the code and a table in a page."""
     readme = text_of("README.md")
-    commands = re.findall(r"add_(\w+)_command", text_of("src/cli/main.cpp"))
+    commands = re.findall(r"^COMMAND\((\w+),", text_of("src/cli/commands.def"), re.M)
     effects = re.findall(r"^ +EFFECT\((\w+)\)", text_of("src/actuator/effects/standard_effects.cpp"), re.MULTILINE)
     found = [f"README.md: does not have the command {name}" for name in commands if f"| `{name}" not in readme]
     theory = text_of("docs/theory/effects.md")

@@ -1,4 +1,4 @@
-#include "actuator_input.hpp"
+#include "cli/actuator_input.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,12 +9,12 @@
 #include <utility>
 #include <variant>
 
+#include "cli/options.hpp"
 #include "coilwright/formats/actuator/actuator_argument.hpp"
 #include "coilwright/simulation/supply.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/input_text.hpp"
 #include "coilwright/text/json/document.hpp"
-#include "options.hpp"
 
 namespace coilwright::cli {
 

@@ -1,12 +1,15 @@
-#include "command_line.hpp"
+#include "cli/command_line.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <malloc.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -18,13 +21,14 @@
 #include <system_error>
 #include <vector>
 
+#include "cli/command_tree.hpp"
+#include "cli/programs.hpp"
 #include "coilwright/results/build_info.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "coilwright/text/spelling.hpp"
-#include "command_tree.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -129,9 +133,9 @@ std::optional<ExitCode> mistaken_command(ErrorFormat format, const CLI::App& app
     if (app.get_option_no_throw(std::string(first)) != nullptr) return std::nullopt;
     return usage_error(format, app, unknown_option(app, first));
   }
-  if (std::find(names.begin(), names.end(), first) == names.end())
-    return usage_error(format, app, unknown_command(first, names));
-  return mistaken_command(format, *app.get_subcommand(std::string(first)), arguments.subspan(1));
+  const auto found = app.get_subcommands([first](const CLI::App* each) { return each->get_name() == first; });
+  if (found.empty() || first.empty()) return usage_error(format, app, unknown_command(first, names));
+  return mistaken_command(format, *found.front(), arguments.subspan(1));
 }
 
 // CLI11's own words of a slip, but for one that they tell in the words of a programmer: "as-written was given a
@@ -152,9 +156,18 @@ ExitCode out_of_threads(ErrorFormat format) {
               "no further thread can be started: the limit of processes (ulimit -u) or of memory is reached");
 }
 
+// The command that the arguments are about: the first of them, or what `help` is asked of.
+std::string_view subject_of(std::span<const char* const> arguments) {
+  if (arguments.size() < 2) return {};
+  const bool explains = std::string_view(arguments[1]) == "help" && arguments.size() > 2;
+  return arguments[explains ? 2 : 1];
+}
+
 ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, const Outcome& outcome) {
   const ErrorFormat format = error_format_of(arguments);
   try {
+    if (const CommandPlace* place = place_of(subject_of(arguments)); place != nullptr && is_elsewhere(app, place->name))
+      go_on_in(place->program, arguments);
     app.parse(static_cast<int>(arguments.size()), arguments.data());
   } catch (const CLI::Success& help_or_version) {
     app.exit(help_or_version, std::cout, std::cerr);
@@ -183,9 +196,27 @@ ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, co
   return outcome.code;
 }
 
+// All commands in the order of the help: those of this program whole, of others the name and its line.
+void add_commands(CLI::App& app, Outcome& outcome, std::span<const Command> commands) {
+  for (const CommandPlace& place : command_places()) {
+    const auto own = std::ranges::find(commands, place.name, &Command::name);
+    if (own == commands.end())
+      add_command(app, place.name)->prefix_command();
+    else
+      own->add(app, outcome);
+  }
+  for (const AddCommand add :
+       {&add_help_command, &add_version_command, &add_completion_command, &add_man_command, &add_describe_command})
+    add(app, outcome);
+}
+
 }  // namespace
 
-ExitCode run(std::span<const char* const> arguments, std::span<const AddCommand> commands) {
+CLI::App* add_command(CLI::App& app, std::string_view name) {
+  return app.add_subcommand(std::string(name), std::string(place_of(name)->help));
+}
+
+ExitCode run(std::span<const char* const> arguments, std::span<const Command> commands) {
   const ErrorFormat format = error_format_of(arguments);
   out_of_memory = told(format, ExitCode::failure, "out of memory: --threads 1 takes the least");
   if (std::get_terminate() != end_out_of_memory) terminate_otherwise = std::set_terminate(end_out_of_memory);
@@ -198,16 +229,33 @@ ExitCode run(std::span<const char* const> arguments, std::span<const AddCommand>
   app.footer(
       "coilwright help COMMAND explains a command and shows an example.\n\n"
       "Exit codes: 0 done; 1 another failure; 2 bad input or usage; 3 no feasible design; 130 interrupted.");
-  Outcome outcome;
-  for (const AddCommand add : commands) add(app, outcome);
-  add_help_command(app, outcome);
-  add_version_command(app, outcome);
-  add_completion_command(app, outcome);
-  add_man_command(app, outcome);
+  Outcome outcome{.arguments = arguments};
+  add_commands(app, outcome, commands);
 
   if (const auto mistake = mistaken_command(format, app, arguments.subspan(std::min<std::size_t>(1, arguments.size()))))
     return *mistake;
   return parse_and_run(app, arguments, outcome);
+}
+
+namespace {
+
+// By default each thread of glibc's reserves 64 MB of addresses for its heap. Where that is not to be had, every
+// allocation of the thread is a page of its own from the system: 240 s for the work of 4. One heap for all threads
+// takes what there is, and fails where there is no more.
+void share_heap_where_addresses_are_few() {
+#ifdef M_ARENA_MAX
+  rlimit addresses{};
+  if (getrlimit(RLIMIT_AS, &addresses) == 0 && addresses.rlim_cur != RLIM_INFINITY) mallopt(M_ARENA_MAX, 1);
+#endif
+}
+
+}  // namespace
+
+int program(int argc, char** argv, std::span<const Command> commands) {
+  // A file that may grow no further (ulimit -f) is then an error of the writing, told as a full disk is, and no death.
+  std::signal(SIGXFSZ, SIG_IGN);
+  share_heap_where_addresses_are_few();
+  return static_cast<int>(run({argv, static_cast<std::size_t>(argc)}, commands));
 }
 
 }  // namespace coilwright::cli

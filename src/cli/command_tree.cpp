@@ -1,4 +1,4 @@
-#include "command_tree.hpp"
+#include "cli/command_tree.hpp"
 
 #include <string_view>
 
@@ -9,10 +9,15 @@ namespace coilwright::cli {
 
 std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
-  // A group of options is a command without a name.
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App* each) { return !each->get_name().empty(); }))
+  // A group of options is a command without a name; what is in no help has no group.
+  for (const CLI::App* command : app.get_subcommands(
+           [](const CLI::App* each) { return !each->get_name().empty() && !each->get_group().empty(); }))
     names.push_back(command->get_name());
   return names;
+}
+
+bool is_elsewhere(const CLI::App& app, std::string_view command) {
+  return app.get_subcommand(std::string(command))->get_prefix_command();
 }
 
 std::string name_of(const CLI::App& command) {

@@ -11,6 +11,9 @@ namespace coilwright::cli {
 /// The names of the commands right below `app`, in the order of its help.
 [[nodiscard]] std::vector<std::string> command_names(const CLI::App& app);
 
+/// Whether another program has this command of `app`: here it has no options then, and takes whatever comes.
+[[nodiscard]] bool is_elsewhere(const CLI::App& app, std::string_view command);
+
 /// "coilwright rig torque-bench".
 [[nodiscard]] std::string name_of(const CLI::App& command);
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <string_view>
+
 namespace CLI {
 class App;
 }
@@ -15,60 +18,44 @@ enum class ExitCode : int {
   interrupted = 130  ///< stopped by a signal; what was found so far is written
 };
 
-/// What a command leaves behind.
+/// What a command was called with, and leaves behind.
 struct Outcome {
   ExitCode code = ExitCode::done;
+  std::span<const char* const> arguments{};  ///< of the process, its name first
 };
 
 /// Adds one command to the program: its options, its help with an example, and what it does, which sets `outcome` when
 /// it ends otherwise than well. `outcome` outlives the parsing.
 using AddCommand = void (*)(CLI::App& app, Outcome& outcome);
 
-void add_completion_command(CLI::App& app, Outcome& outcome);
-void add_crawl_command(CLI::App& app, Outcome& outcome);
-void add_diagnose_command(CLI::App& app, Outcome& outcome);
-void add_distribute_command(CLI::App& app, Outcome& outcome);
-void add_drive_command(CLI::App& app, Outcome& outcome);
-void add_evaluate_command(CLI::App& app, Outcome& outcome);
-void add_export_command(CLI::App& app, Outcome& outcome);
-void add_field_command(CLI::App& app, Outcome& outcome);
-void add_force_command(CLI::App& app, Outcome& outcome);
-void add_init_command(CLI::App& app, Outcome& outcome);
-void add_linearise_command(CLI::App& app, Outcome& outcome);
-void add_list_command(CLI::App& app, Outcome& outcome);
-void add_man_command(CLI::App& app, Outcome& outcome);
-void add_merge_command(CLI::App& app, Outcome& outcome);
-void add_pareto_command(CLI::App& app, Outcome& outcome);
-void add_plan_command(CLI::App& app, Outcome& outcome);
-void add_reach_command(CLI::App& app, Outcome& outcome);
-void add_report_command(CLI::App& app, Outcome& outcome);
+/// A command that a program has.
+struct Command {
+  std::string_view name;
+  AddCommand add;
+};
+
+/// The commands of the programs, each in the folder of its name: what coilwright-model has, and so on.
+///@{
+[[nodiscard]] std::span<const Command> front_commands();
+[[nodiscard]] std::span<const Command> model_commands();
+[[nodiscard]] std::span<const Command> search_commands();
+[[nodiscard]] std::span<const Command> parts_commands();
+[[nodiscard]] std::span<const Command> records_commands();
+[[nodiscard]] std::span<const Command> film_commands();
+[[nodiscard]] std::span<const Command> page_commands();
+[[nodiscard]] std::span<const Command> export_commands();
+///@}
+
+/// Adds a command of commands.def, without options yet, with its line of the help.
+CLI::App* add_command(CLI::App& app, std::string_view name);
+
+/// What every program tells of itself and of the others.
+///@{
 void add_help_command(CLI::App& app, Outcome& outcome);
-void add_grip_command(CLI::App& app, Outcome& outcome);
-void add_rig_command(CLI::App& app, Outcome& outcome);
-void add_schema_command(CLI::App& app, Outcome& outcome);
-void add_simulate_command(CLI::App& app, Outcome& outcome);
-void add_size_command(CLI::App& app, Outcome& outcome);
-void add_sweep_command(CLI::App& app, Outcome& outcome);
-void add_archive_command(CLI::App& app, Outcome& outcome);
-void add_twin_command(CLI::App& app, Outcome& outcome);
-void add_validate_command(CLI::App& app, Outcome& outcome);
+void add_man_command(CLI::App& app, Outcome& outcome);
 void add_version_command(CLI::App& app, Outcome& outcome);
-void add_yield_command(CLI::App& app, Outcome& outcome);
-
-/// Each adds one command below `archive`.
-void add_archive_list(CLI::App& command);
-void add_archive_filter(CLI::App& command);
-void add_archive_top(CLI::App& command);
-void add_archive_csv(CLI::App& command);
-void add_archive_pick(CLI::App& command);
-void add_archive_check(CLI::App& command, Outcome& outcome);
-/// `outcome` is a failure where a design gives other numbers.
-void add_archive_replay(CLI::App& command, Outcome& outcome);
-
-/// Each adds one rig below the command `rig`.
-void add_torque_bench(CLI::App& command);
-void add_stiffness_gauge(CLI::App& command);
-void add_grasp_bench(CLI::App& command);
-void add_camera(CLI::App& command);
+void add_completion_command(CLI::App& app, Outcome& outcome);
+void add_describe_command(CLI::App& app, Outcome& outcome);
+///@}
 
 }  // namespace coilwright::cli

@@ -9,11 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "cli/command_descriptions.hpp"
+#include "cli/command_tree.hpp"
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
-#include "command_tree.hpp"
-#include "commands.hpp"
-#include "options.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -26,7 +27,7 @@ struct TypedCommand {
 void collect(const CLI::App& command, const std::string& typed, std::vector<TypedCommand>& all) {
   all.push_back({.typed = typed, .command = &command});
   for (const std::string& name : command_names(command))
-    collect(*command.get_subcommand(name), typed.empty() ? name : fmt::format("{} {}", typed, name), all);
+    collect(*command.get_subcommand(name), fmt::format("{} {}", typed, name), all);
 }
 
 std::string option_words(const CLI::App& command) {
@@ -73,23 +74,27 @@ std::vector<std::string> values_of(const CLI::Option& option) {
   return words_of(option);
 }
 
+// The lines of one command in the functions below.
+CompletionLines lines_of(const TypedCommand& each, const CLI::App& app) {
+  CompletionLines out;
+  out.words = fmt::format("    \"{}\") options=\"{}\" first=\"{}\" ;;\n", each.typed, option_words(*each.command),
+                          first_words(each, app));
+  for (const CLI::Option* option : options_of(*each.command))
+    if (const std::vector<std::string> known = values_of(*option); !known.empty())
+      out.values +=
+          fmt::format("    \"{} {}\") values=\"{}\" ;;\n", each.typed, names_of(*option).back(), fmt::join(known, " "));
+  return out;
+}
+
 // Functions that bash and zsh take alike.
 std::string functions(const CLI::App& app) {
-  std::vector<TypedCommand> all;
-  collect(app, {}, all);
-  std::string words = "_coilwright_words() {\n  case \"$1\" in\n";
-  std::string values = "_coilwright_values() {\n  case \"$1 $2\" in\n";
-  for (const TypedCommand& each : all) {
-    words += fmt::format("    \"{}\") options=\"{}\" first=\"{}\" ;;\n", each.typed, option_words(*each.command),
-                         first_words(each, app));
-    for (const CLI::Option* option : options_of(*each.command))
-      if (const std::vector<std::string> known = values_of(*option); !known.empty())
-        values += fmt::format("    \"{} {}\") values=\"{}\" ;;\n", each.typed, names_of(*option).back(),
-                              fmt::join(known, " "));
+  CompletionLines all = lines_of({.typed = {}, .command = &app}, app);
+  for (const CommandDescription& each : descriptions(app)) {
+    all.words += each.completion.words;
+    all.values += each.completion.values;
   }
-  words += "    *) return 1 ;;\n  esac\n}\n";
-  values += "  esac\n}\n";
-  return words + values;
+  return "_coilwright_words() {\n  case \"$1\" in\n" + all.words + "    *) return 1 ;;\n  esac\n}\n" +
+         "_coilwright_values() {\n  case \"$1 $2\" in\n" + all.values + "  esac\n}\n";
 }
 
 constexpr std::string_view bash_head =
@@ -165,6 +170,18 @@ if [[ $funcstack[1] == _coilwright ]]; then _coilwright "$@"; else compdef _coil
 )";
 
 }  // namespace
+
+CompletionLines completion_of(const CLI::App& command, const CLI::App& app) {
+  std::vector<TypedCommand> all;
+  collect(command, command.get_name(), all);
+  CompletionLines out;
+  for (const TypedCommand& each : all) {
+    const CompletionLines lines = lines_of(each, app);
+    out.words += lines.words;
+    out.values += lines.values;
+  }
+  return out;
+}
 
 void add_completion_command(CLI::App& app, Outcome&) {
   auto shell = std::make_shared<std::string>();

@@ -1,4 +1,4 @@
-#include "manual_page.hpp"
+#include "cli/manual_page.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/command_tree.hpp"
 #include "coilwright/results/build_info.hpp"
-#include "command_tree.hpp"
 
 namespace coilwright::cli {
 namespace {

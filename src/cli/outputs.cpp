@@ -1,4 +1,4 @@
-#include "outputs.hpp"
+#include "cli/outputs.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,8 +9,8 @@
 #include "coilwright/text/opened_file.hpp"
 #include "coilwright/text/output/output_file.hpp"
 
+#include "cli/options.hpp"
 #include "coilwright/results/provenance.hpp"
-#include "options.hpp"
 
 namespace coilwright::cli {
 

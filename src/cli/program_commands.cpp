@@ -7,13 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "cli/command_descriptions.hpp"
+#include "cli/command_tree.hpp"
+#include "cli/commands.hpp"
+#include "cli/manual_page.hpp"
+#include "cli/options.hpp"
+#include "cli/outputs.hpp"
 #include "coilwright/results/build_info.hpp"
 #include "coilwright/text/output/output_folder.hpp"
-#include "command_tree.hpp"
-#include "commands.hpp"
-#include "manual_page.hpp"
-#include "options.hpp"
-#include "outputs.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -45,9 +46,10 @@ void add_help_command(CLI::App& app, Outcome&) {
 
 namespace {
 
-void write_pages(const CLI::App& command, text::OutputFolder& folder) {
-  folder.write(manual_page_name(command), manual_page(command));
-  for (const std::string& name : command_names(command)) write_pages(*command.get_subcommand(name), folder);
+void write_pages(const CLI::App& app, text::OutputFolder& folder) {
+  folder.write(manual_page_name(app), manual_page(app));
+  for (const CommandDescription& each : descriptions(app))
+    for (const auto& [name, page] : each.pages) folder.write(name, page);
 }
 
 }  // namespace

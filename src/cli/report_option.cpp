@@ -1,19 +1,18 @@
-#include "report_option.hpp"
+#include "cli/report_option.hpp"
 
 #include <fmt/format.h>
 
 #include <iostream>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "coilwright/page/page_html.hpp"
-#include "coilwright/results/page_file.hpp"
-#include "coilwright/text/output/output_file.hpp"
-#include "coilwright/text/output/output_folder.hpp"
-#include "draw_figures.hpp"
-#include "options.hpp"
-#include "outputs.hpp"
+#include "cli/options.hpp"
+#include "cli/outputs.hpp"
+#include "cli/programs.hpp"
+#include "coilwright/results/build_info.hpp"
 
 namespace coilwright::cli {
 
@@ -38,29 +37,16 @@ void add_report_file_option(CLI::App& command, std::optional<std::string>& file,
       });
 }
 
-void write_report(const std::filesystem::path& folder, const std::filesystem::path& file,
-                  const ReportOptions& options) {
-  write_page(results::page_of_folder(folder, options.pictures), file, options);
-}
-
-void write_page(const page::Page& content, const std::filesystem::path& file, const ReportOptions& options) {
-  text::OutputFile out(file);
-  std::optional<text::OutputFolder> figures;
-  if (options.figures) {
-    DrawnFigures drawn =
-        draw_figures(page::figure_files(content, text::packed_text(results::page_files(), "page.css")));
-    figures.emplace(*options.figures);
-    for (const page::FigureFile& each : drawn.files) figures->write(each.name, each.text);
-    if (!drawn.why.empty()) std::cerr << drawn.why << ".\n";
-  }
-  out.stream() << results::html_of(content);
-  keep_other_kind(out, page_mark, options.force);
-  if (figures) {
-    keep_others(*figures, options.force);
-    out.withdraw();
-    figures->commit();
-  }
-  out.commit();
+void write_report(const std::filesystem::path& folder, bool force) {
+  const std::filesystem::path file = folder / report_name;
+  std::vector<std::string> arguments{"report", "--out=" + file.string()};
+  if (force) arguments.emplace_back("--force");
+  arguments.insert(arguments.end(), {"--", folder.string()});
+  const Ended ended = run_program("page", arguments, Stream::errors);
+  constexpr std::string_view name = "coilwright: ";
+  if (ended.status != 0)
+    throw std::runtime_error(ended.printed.starts_with(name) ? ended.printed.substr(name.size()) : ended.printed);
+  std::cerr << ended.printed;
 }
 
 }  // namespace coilwright::cli

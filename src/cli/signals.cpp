@@ -1,9 +1,9 @@
-#include "signals.hpp"
+#include "cli/signals.hpp"
 
 #include <unistd.h>
 #include <string_view>
 
-#include "commands.hpp"
+#include "cli/commands.hpp"
 
 namespace coilwright::cli {
 namespace {

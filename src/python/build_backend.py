@@ -6,6 +6,7 @@ import hashlib
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import sysconfig
@@ -33,7 +34,17 @@ def get_requires_for_build_sdist(config_settings=None):
     return []
 
 
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """Before anything is compiled, so that pip resolves and says what it installs at once."""
+    info = pathlib.Path(metadata_directory) / f"coilwright-{VERSION}.dist-info"
+    info.mkdir(exist_ok=True)
+    (info / "METADATA").write_text(METADATA, encoding="utf-8")
+    return info.name
+
+
 def built_package() -> pathlib.Path:
+    if shutil.which("cmake") is None:
+        sys.exit("coilwright: cmake is not installed, which builds the package: scripts/setup.sh && scripts/setup.sh python")
     # A venv's interpreter is a link; the build folder must not depend on what is removed with the venv.
     python = os.path.realpath(sys.executable)
     for command in (["cmake", "--preset", "release", "-DCOILWRIGHT_PYTHON=ON", f"-DPython_EXECUTABLE={python}"],

@@ -9,7 +9,7 @@
 
 #include "coilwright/formats/actuator/pair_file.hpp"
 #include "coilwright/magnetics/forces.hpp"
-#include "coilwright/report/pair_remarks.hpp"
+#include "coilwright/report/systems/pair_remarks.hpp"
 #include "coilwright/text/input_text.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "python/bindings.hpp"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "coilwright/formats/study/design_tables.hpp"
-#include "coilwright/report/text_table.hpp"
+#include "coilwright/report/simulation/text_table.hpp"
 
 namespace coilwright::report {
 namespace {

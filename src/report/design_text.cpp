@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "coilwright/formats/study/design_tables.hpp"
-#include "coilwright/report/text_table.hpp"
+#include "coilwright/report/simulation/text_table.hpp"
 
 namespace coilwright::report {
 

@@ -9,11 +9,11 @@
 
 #include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/formats/study/design_tables.hpp"
-#include "coilwright/report/coil_currents_text.hpp"
+#include "coilwright/report/simulation/coil_currents_text.hpp"
 #include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/percent.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
-#include "coilwright/report/text_table.hpp"
+#include "coilwright/report/simulation/text_table.hpp"
 #include "coilwright/report/yield_text.hpp"
 #include "coilwright/simulation/part_limits.hpp"
 #include "coilwright/sizing/study/broken_part_limits.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "coilwright/formats/study/design_tables.hpp"
-#include "coilwright/report/text_table.hpp"
+#include "coilwright/report/simulation/text_table.hpp"
 #include "report/study_parts.hpp"
 
 namespace coilwright::report {

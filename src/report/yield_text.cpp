@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "coilwright/report/text_table.hpp"
+#include "coilwright/report/simulation/text_table.hpp"
 
 namespace coilwright::report {
 namespace {

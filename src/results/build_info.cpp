@@ -29,6 +29,12 @@ std::string compiler() {
   return COILWRIGHT_COMPILER;
 }
 
+std::string why_no_page() {
+  if (COILWRIGHT_DRAWS_PAGES) return {};
+  return "this program was built without Vega, which pages are drawn with: install npm and build it again "
+         "(cmake -DCOILWRIGHT_REPORT_ASSETS=ON says what is missing)";
+}
+
 std::string version_text() {
   const Commit built = commit();
   std::string text = fmt::format("coilwright {}\n", version());

@@ -22,6 +22,10 @@ void add(CLI::App& app, const char* name, Action... action) {
   app.add_subcommand(name)->callback([action...] { (action(), ...); });
 }
 
+[[noreturn]] void lack_memory() {
+  throw std::bad_alloc();
+}
+
 void add_endings(CLI::App& app, Outcome& outcome) {
   add(app, "well");
   add(app, "infeasible", [&outcome] { outcome.code = ExitCode::infeasible; });
@@ -29,8 +33,8 @@ void add_endings(CLI::App& app, Outcome& outcome) {
   add(app, "input", [] { throw text::InputError({.file = "x.json", .place = "/a", .rule = "is missing"}); });
   add(app, "folder", [] { throw OutputError("out", "Permission denied", OutputError::Stage::preparing); });
   add(app, "disk", [] { throw OutputError("out", "No space left on device", OutputError::Stage::writing); });
-  add(app, "memory", [] { throw std::bad_alloc(); });
-  add(app, "memory_in_c", []() noexcept { throw std::bad_alloc(); });
+  add(app, "memory", &lack_memory);
+  add(app, "memory_in_c", []() noexcept { lack_memory(); });
   add(app, "other", [] { throw std::runtime_error("two\nlines"); });
 }
 
@@ -45,7 +49,7 @@ void PrintTo(const Ending& ending, std::ostream* out) {
 }
 
 Ending ending_of(const char* command) {
-  constexpr std::array<AddCommand, 1> commands = {add_endings};
+  constexpr std::array commands{Command{"evaluate", add_endings}};
   const std::array arguments = {"coilwright", command};
   ::testing::internal::CaptureStderr();
   const ExitCode code = run(arguments, commands);
@@ -74,7 +78,7 @@ TEST(CommandLine, EndsWithOneAndOneLineOnAnythingElse) {
 
 // A function that a library in C calls may throw nothing.
 TEST(CommandLine, EndsWithOneLineWhereMemoryFailsInsideOfALibraryInC) {
-  constexpr std::array<AddCommand, 1> commands = {add_endings};
+  constexpr std::array commands{Command{"evaluate", add_endings}};
   const std::array arguments = {"coilwright", "memory_in_c"};
   EXPECT_EXIT((void)run(arguments, commands), ::testing::ExitedWithCode(1), "^coilwright: out of memory: .*\n$");
 }

@@ -3,6 +3,7 @@
 import json
 import os
 import resource
+import shutil
 import subprocess
 import unittest
 
@@ -146,6 +147,24 @@ class Usage(ProgramTest):
         self.assertIn("force", commands)
         for command in commands:
             self.assertIn(f"coilwright {command}", run(command, "--help").stdout.split("Example")[1])
+
+    def test_a_command_whose_program_is_not_there_says_how_to_get_it(self):
+        alone = self.folder / "coilwright"
+        shutil.copy(PROGRAM, alone)
+        for arguments, program in ((["size", "study.json", "--out", "out"], "search"), (["help", "diagnose"], "records"),
+                                   (["init", "dataset", "--from", "x.csv"], "records"), (["man", "--out", "man"], "model")):
+            result = subprocess.run([alone, *arguments], cwd=self.folder, capture_output=True, encoding="utf-8", check=False)
+            self.assertEqual(result.stderr, f"coilwright: {self.folder.resolve()}/coilwright-{program} is not there: it has this "
+                             f"command. Build it (cmake --build --preset release --target coilwright-{program}), or install "
+                             "all of Coilwright\n")
+            self.assertEqual((result.returncode, result.stdout), (1, ""))
+        started = subprocess.run([alone, "init", "study", "--out", "start"], cwd=self.folder, capture_output=True, check=False)
+        self.assertEqual(started.returncode, 0)
+
+    def test_any_program_finds_the_commands_of_the_others(self):
+        for program in ("search", "page"):
+            result = subprocess.run([f"{PROGRAM}-{program}", "help", "plan"], capture_output=True, encoding="utf-8", check=True)
+            self.assertEqual(result.stdout, run("plan", "--help").stdout)
 
     def test_results_that_cannot_be_printed_are_a_failure(self):
         self.write("pair.json", '{"magnets": [{"radius_mm": 4, "length_mm": 6, "remanence_T": 1.3},'

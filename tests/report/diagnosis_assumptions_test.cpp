@@ -1,4 +1,4 @@
-#include "coilwright/report/diagnosis_text.hpp"
+#include "coilwright/report/diagnosis/diagnosis_text.hpp"
 
 #include <gmock/gmock.h>
 

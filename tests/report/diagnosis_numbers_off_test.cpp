@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "coilwright/report/diagnosis_text.hpp"
+#include "coilwright/report/diagnosis/diagnosis_text.hpp"
 #include "report/text_of_diagnosis.hpp"
 
 namespace coilwright::report {

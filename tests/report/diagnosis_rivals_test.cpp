@@ -1,4 +1,4 @@
-#include "report/diagnosis_parts.hpp"
+#include "report/diagnosis/diagnosis_parts.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "coilwright/report/grip_text.hpp"
+#include "coilwright/report/systems/grip_text.hpp"
 
 #include <gmock/gmock.h>
 

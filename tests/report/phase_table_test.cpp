@@ -1,4 +1,4 @@
-#include "coilwright/report/phase_table.hpp"
+#include "coilwright/report/diagnosis/phase_table.hpp"
 
 #include <gtest/gtest.h>
 

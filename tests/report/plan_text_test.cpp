@@ -1,4 +1,4 @@
-#include "coilwright/report/plan_text.hpp"
+#include "coilwright/report/diagnosis/plan_text.hpp"
 
 #include <gmock/gmock.h>
 

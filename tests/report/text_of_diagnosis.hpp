@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "coilwright/report/diagnosis_text.hpp"
+#include "coilwright/report/diagnosis/diagnosis_text.hpp"
 #include "formats/data/diagnosis_by_hand.hpp"
 
 namespace coilwright::testing {

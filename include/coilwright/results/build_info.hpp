@@ -11,6 +11,8 @@ namespace coilwright::results {
 struct Commit {
   std::string hash{};   ///< 40 hexadecimal digits; empty where the sources were in no repository of their own
   bool changed{false};  ///< what is built differed from that commit
+  /// SHA-256 over the sources; empty where the commit tells them.
+  std::string sources{};
 };
 
 /// Of the sources of this program.
@@ -24,6 +26,9 @@ struct Library {
 
 /// In the order in which the build asks for them.
 [[nodiscard]] std::vector<Library> libraries();
+
+/// Why no page can be made: this build has nothing to draw with. Empty where one can.
+[[nodiscard]] std::string why_no_page();
 
 /// "0.1.0".
 [[nodiscard]] std::string version();

@@ -1,4 +1,4 @@
-#include "film_run.hpp"
+#include "cli/film/film_run.hpp"
 
 #include <fmt/format.h>
 

@@ -7,12 +7,12 @@
 #include <memory>
 #include <vector>
 
+#include "cli/film/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
 #include "coilwright/formats/data/lens_file.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/require_readable.hpp"
-#include "film_commands.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -73,7 +73,7 @@ void run_lens(const LensOptions& options) {
 
 void add_lens_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<LensOptions>();
-  CLI::App* command = app.add_subcommand("lens", "Calibrate a camera's lens by a film of the board of `tag`");
+  CLI::App* command = add_command(app, "lens");
   command->add_option("FILM", options->film, "Film of the board from all sides, in the mode that fingers are filmed in")
       ->required()
       ->check(file_rule());

@@ -4,10 +4,10 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/film/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
 #include "coilwright/video/tag_sheet.hpp"
-#include "film_commands.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -35,8 +35,7 @@ void run_tag(const TagOptions& options) {
 
 void add_tag_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<TagOptions>();
-  CLI::App* command =
-      app.add_subcommand("tag", "Print tags to glue to a finger, and a board to calibrate a lens (PDF)");
+  CLI::App* command = add_command(app, "tag");
   command->add_option("--out", options->out, "File to write")->required()->check(not_empty());
   add_number(*command, "--size-mm", options->size, text::Rule::between(2, 40),
              "Side of the tags' black square, mm (default 8)");

@@ -11,9 +11,11 @@
 #include <vector>
 
 #include "cli/actuator_input.hpp"
+#include "cli/film/commands.hpp"
+#include "cli/film/film_run.hpp"
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
-#include "cli/run_files.hpp"
+#include "cli/runs/run_files.hpp"
 #include "coilwright/formats/data/dataset_file.hpp"
 #include "coilwright/formats/data/lens_file.hpp"
 #include "coilwright/formats/simulation/commanded_input_file.hpp"
@@ -22,8 +24,6 @@
 #include "coilwright/text/output/file_name.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "coilwright/text/require_readable.hpp"
-#include "film_commands.hpp"
-#include "film_run.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -328,7 +328,7 @@ void track_films(const TrackOptions& options) {
 
 void add_track_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<TrackOptions>();
-  CLI::App* command = app.add_subcommand("track", "Read a finger's angles from films of its tags, as a data set");
+  CLI::App* command = add_command(app, "track");
   command->add_option("FILM", options->films, "Films, one for each motion, with the tags of `tag`")
       ->required()
       ->check(file_rule());

@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/actuator_input.hpp"
+#include "cli/model/commands.hpp"
+#include "cli/model/grip/grip_options.hpp"
+#include "coilwright/actuator/cost.hpp"
+#include "coilwright/actuator/demagnetisation.hpp"
+#include "coilwright/actuator/heat.hpp"
+#include "coilwright/formats/systems/grip_json.hpp"
+#include "coilwright/report/systems/grip_text.hpp"
+#include "coilwright/systems/gripper/heat_of_hold.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/thermal/steady_state.hpp"
+#include "coilwright/units/angle.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+using systems::gripper::GraspTask;
+using systems::gripper::GripAnswer;
+using systems::gripper::Gripper;
+using systems::gripper::Mounting;
+using systems::gripper::Object;
+using systems::gripper::Polarity;
+
+// In both fingers, unless the command or the file says otherwise: that of the paper's demonstrations, A.
+constexpr double paper_current = 1.4;
+
+// Of coils and magnets while they grip, degC.
+constexpr double cold = 20.0;
+
+// Runs `call`; a rule that it finds broken is reported at `place`.
+template <class Call>
+auto at_place(const std::string& place, const Call& call) {
+  try {
+    return call();
+  } catch (const systems::gripper::NoRoom& none) {
+    throw text::InputError(
+        {.file = place,
+         .rule = fmt::format("{}; --spacing-mm, --mounting-angle-deg and --open-current-A make room", none.what())});
+  } catch (const std::invalid_argument& rule) {
+    // How the fingers hang is said on the command line, all else of them in their file.
+    const std::string text = rule.what();
+    const bool of_mounting = text.starts_with("mounting.");
+    throw text::InputError(
+        {.file = of_mounting ? "--mounting-angle-deg, --spacing-mm, --fingers, --polarity" : place, .rule = text});
+  }
+}
+
+// Closes the gripper on the object, lifts and loads it. Throws InputError naming the file or the options whose rule is
+// broken.
+GripAnswer answer_of(const GripOptions& options) {
+  formats::ActuatorFile file = read_actuator(options.actuator);
+  const actuator::Design design = built_design(file, options.actuator, "a gripper needs a design (actuator/1)").design;
+  const Mounting mounting{.angle = options.mounting_angle / units::degrees_per_radian,
+                          .spacing = options.spacing * 1e-3,
+                          .polarity = options.polarity == "same" ? Polarity::same : Polarity::opposite,
+                          .fingers = options.fingers};
+  const Gripper gripper = at_place(options.actuator.file, [&] { return Gripper(design, mounting); });
+  const Object object = object_of(options);
+  const bool is_of_file = !options.current && file.operating_point;
+  const double current = is_of_file ? file.operating_point->current : options.current.value_or(paper_current);
+  const GraspTask task{.current = current, .open_current = options.open_current, .acceleration = options.acceleration};
+  GripAnswer out{.mounting = mounting,
+                 .object = object,
+                 .current = current,
+                 .is_of_file = is_of_file,
+                 .grasp = at_place("--shape, --width-mm, --centre-x-mm, --centre-below-palm-mm",
+                                   [&] { return systems::gripper::grasp(gripper, object, task); })};
+  if (out.grasp.holds) out.tolerance = systems::gripper::placement_tolerance(design, mounting, object, task);
+  out.heat = systems::gripper::heat_of_hold(
+      design, gripper, out.grasp,
+      {.current = current, .supply = file.operating_point ? file.operating_point->supply : actuator::Supply{}});
+  out.cost = actuator::gripper_cost(actuator::cost_of(design, gripper.assembly()).total(), options.fingers);
+  out.burns_from = thermal::current_limits(actuator::heat_network(design, gripper.assembly(), out.grasp.left)).runaway;
+  if (design.magnet.grade != nullptr) {
+    const actuator::InnerFields fields(design, gripper.assembly());
+    out.magnets_cold = fields.demagnetisation(std::vector<double>(design.layout.size(), cold), current);
+    if (out.heat && out.heat->temperatures.size() > 0)
+      out.magnets_held = fields.demagnetisation(
+          {out.heat->temperatures.data(), static_cast<std::size_t>(out.heat->temperatures.size())}, current);
+  }
+  if (options.most_current > 0.0)
+    out.least_current = {.most = options.most_current,
+                         .found = systems::gripper::least_current(gripper, object, task, options.most_current)};
+  if (options.most_friction > 0.0)
+    out.least_friction = {.most = options.most_friction,
+                          .found = systems::gripper::least_friction(gripper, object, task, options.most_friction)};
+  return out;
+}
+
+}  // namespace
+
+void add_grip_command(CLI::App& app, Outcome&) {
+  auto options = std::make_shared<GripOptions>();
+  CLI::App* command = add_command(app, "grip");
+  add_grip_options(*command, *options);
+  command->footer(
+      "Two like fingers hang from a palm, mirrored, and close in one plane; more stand evenly round the\n"
+      "gripper's axis and all do the same. The object stands on a smooth support until they hold it; the support\n"
+      "is then taken away, the load put on within 0.3 s and held for 0.2 s. It slips where it sinks at 20 mm/s under "
+      "a\n"
+      "load that grows on; a ball that turns between the fingers on its way there is carried by up to 2 % more than\n"
+      "what they hold at rest. Fingers hang at the mounting angle: the base tilt of their file is not used.\n\n"
+      "Example:\n"
+      "  coilwright grip configs/actuators/paper_finger.json --width-mm 60 --mass-g 40 --friction 0.8");
+  command->callback([options] {
+    require_height_of_shape(*options);
+    const GripAnswer answer = answer_of(*options);
+    std::cout << (options->json ? formats::to_json(answer).text() : report::to_text(answer));
+  });
+}
+
+}  // namespace coilwright::cli

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace coilwright::cli {
+
+/// A row of commands.def.
+struct CommandPlace {
+  std::string_view name;
+  std::string_view program;  ///< "search": coilwright-search
+  std::string_view help;     ///< its line
+};
+
+/// All commands, in the order of the help.
+[[nodiscard]] std::span<const CommandPlace> command_places();
+
+/// The command of this name; nullptr where there is none.
+[[nodiscard]] const CommandPlace* place_of(std::string_view command);
+
+/// Replaces this process by a program beside it ("search"), with these arguments, the name of the process first. Throws
+/// std::runtime_error that says how to get the program where it is not there.
+[[noreturn]] void go_on_in(std::string_view program, std::span<const char* const> arguments);
+
+/// What a program left that ran to its end.
+struct Ended {
+  int status{};         ///< its exit code; 1 where a signal ended it
+  std::string printed;  ///< on the stream that was asked for
+};
+
+/// The stream of a program that its caller reads. Of `output`, errors go where those of this process go; of `errors`,
+/// output goes nowhere.
+enum class Stream { output = 1, errors = 2 };
+
+/// Runs a program beside this one and waits for its end. Throws as go_on_in() does.
+[[nodiscard]] Ended run_program(std::string_view program, const std::vector<std::string>& arguments, Stream stream);
+
+}  // namespace coilwright::cli

@@ -1,0 +1,68 @@
+#include "cli/runs/archive_contents.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "coilwright/formats/actuator/actuator_json.hpp"
+#include "coilwright/results/build_info.hpp"
+#include "coilwright/results/sha256.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+// How the current is set, and all else of the operating point.
+std::string operation_text(const sizing::Study& study) {
+  actuator::OperatingPoint point = study.operating;
+  point.current = 0.0;
+  std::string current = "varied";
+  if (const auto* fixed = std::get_if<sizing::FixedCurrent>(&study.current))
+    current = fmt::format("fixed {}", fixed->current);
+  if (const auto* share = std::get_if<sizing::ShareOfLimit>(&study.current))
+    current = fmt::format("share {}", share->share);
+  if (std::holds_alternative<sizing::DrivenCurrent>(study.current)) current = "driven";
+  return current + '\n' + formats::to_json(point).text();
+}
+
+}  // namespace
+
+archive::Program this_program() {
+  const results::Commit built = results::commit();
+  return {.version = results::version(), .commit = built.hash, .build = built.sources};
+}
+
+std::string archive_of_another_run(const std::vector<std::string>& differences) {
+  return fmt::format("holds the archive of another run ({}): --force replaces it, another --out keeps it",
+                     fmt::join(differences, "; "));
+}
+
+archive::Contents contents_of(const results::Provenance& provenance) {
+  archive::Contents contents;
+  contents.command = provenance.command;
+  contents.program = this_program();
+  for (const results::InputRecord& input : provenance.inputs)
+    contents.inputs.push_back({.file = input.file, .sha256 = input.sha256, .text = input.text});
+  contents.changes = provenance.changes;
+  contents.question = hash_of(provenance);
+  return contents;
+}
+
+archive::Contents contents_of(const sizing::Study& study, const results::Provenance& provenance, bool builds_a_system) {
+  archive::Contents contents = contents_of(provenance);
+  contents.study = study.name;
+  contents.physics = {.actuator = results::sha256(formats::to_json(study.base, "").text()),
+                      .operation = results::sha256(operation_text(study)),
+                      .systems = builds_a_system || study.spread ? contents.question : ""};
+  if (provenance.seed) {
+    contents.algorithm =
+        provenance.sample.empty() ? std::string(sizing::name_of(study.search.algorithm)) : provenance.sample;
+    contents.seed = provenance.seed;
+  }
+  contents.columns = archive::columns_of(study);
+  return contents;
+}
+
+}  // namespace coilwright::cli

@@ -1,0 +1,93 @@
+#include "coilwright/results/page/page_file.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "coilwright/formats/study/study_file.hpp"
+#include "coilwright/page/page_html.hpp"
+#include "coilwright/page/pages.hpp"
+#include "coilwright/results/build_info.hpp"
+#include "coilwright/results/provenance.hpp"
+#include "coilwright/results/sha256.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/json/document.hpp"
+
+namespace coilwright::results {
+namespace {
+
+std::vector<page::Script> scripts() {
+  const std::span<const text::PackedFile> libraries = report_libraries();
+  std::vector<page::Script> out;
+  for (const char* name : {"vega.js", "vega-lite.js", "vega-embed.js"})
+    out.push_back({.name = name, .text = text::packed_text(libraries, name), .licence = {}});
+  out.front().name = "Vega, Vega-Lite, vega-embed and what they contain";
+  out.front().licence = text::packed_text(libraries, "licences.txt");
+  for (const char* name : {"theme.js", "page.js", "front.js"})
+    out.push_back({.name = name, .text = text::packed_text(page_files(), name), .licence = {}});
+  return out;
+}
+
+text::Node required_member(const text::Node& object, std::string_view key) {
+  if (const auto found = object.find(key)) return *found;
+  throw object.error_without_value(fmt::format("must have \"{}\" (docs/formats.md)", key));
+}
+
+// Whether the file still is what went into a result.
+bool is_unchanged(const text::Node& input, std::string& file) {
+  file = required_member(input, "file").text();
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(file, none)) return false;
+  return record_of(std::filesystem::path(file)).sha256 == required_member(input, "sha256").text();
+}
+
+// The study that the results of a folder are of, by its provenance.json; or why it is not at hand.
+void find_study(const std::filesystem::path& folder, page::PageInputs& inputs) {
+  const std::filesystem::path provenance = folder / provenance_name;
+  if (!std::filesystem::is_regular_file(provenance)) {
+    inputs.why_no_study = fmt::format("the folder has no {}, which names the study.", provenance_name);
+    return;
+  }
+  const text::Document document = text::read_json(provenance);
+  std::vector<std::string> files;
+  for (const text::Node& input : required_member(document.root(), "inputs").elements(text::Length::at_least(1))) {
+    if (is_unchanged(input, files.emplace_back())) continue;
+    inputs.why_no_study =
+        fmt::format("{}, which these results are of, is not there as it was; make the page where the search was run.",
+                    files.back());
+    return;
+  }
+  std::vector<std::string> changes;
+  for (const text::Node& change : required_member(document.root(), "set").elements()) changes.push_back(change.text());
+  try {
+    inputs.study = formats::read_study(files.at(0), {.changes = changes});
+  } catch (const text::InputError& why) {
+    inputs.why_no_study = fmt::format("the study that {} names cannot be read: {}.", provenance.string(), why.what());
+  }
+}
+
+}  // namespace
+
+std::string made_by() {
+  return "coilwright " + version();
+}
+
+page::Page page_of_folder(const std::filesystem::path& folder, std::optional<std::size_t> pictures) {
+  if (const std::string why = why_no_page(); !why.empty())
+    throw text::InputError({.file = folder.string(), .rule = why});
+  page::PageInputs inputs{.made_by = made_by()};
+  for (const char* of_designs : {"front.csv", "best.csv"})
+    if (std::filesystem::is_regular_file(folder / of_designs)) find_study(folder, inputs);
+  if (pictures) inputs.most_pictures = *pictures;
+  return page::page_of(folder, inputs);
+}
+
+std::string html_of(const page::Page& page) {
+  const std::vector<page::Script> all = scripts();
+  return page::to_html(page, {.scripts = all, .style = text::packed_text(page_files(), "page.css")},
+                       [](std::string_view bytes) { return sha256(bytes); });
+}
+
+}  // namespace coilwright::results

@@ -1,9 +1,10 @@
 #include "coilwright/video/film_clock.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "video/motion_start.hpp"
 
 namespace coilwright::video {
 namespace {
@@ -22,18 +23,6 @@ double median_sigma(std::span<const AngleSample> samples) {
   const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
   std::ranges::nth_element(sigmas, middle);
   return *middle;
-}
-
-// Where a line of time over the root of the way has come no way. Noise of an angle is one of its root over twice the
-// root. All count alike: by their noise alone the later ones would decide, where the line bends.
-Moment rest_by_line(const Eigen::ArrayXd& roots, const Eigen::ArrayXd& times, double noise, double interval) {
-  const Eigen::ArrayXd apart = roots - roots.mean();
-  const double squares = apart.square().sum();
-  if (squares <= 1e-9 * roots.square().sum()) return {.time = times[0] - 0.5 * interval, .sigma = interval};
-  const Eigen::ArrayXd shares = 1.0 / static_cast<double>(roots.size()) - roots.mean() / squares * apart;
-  const double slope = (apart * times).sum() / squares;
-  const double error = 0.5 * noise * slope * (shares / roots).matrix().norm();
-  return {.time = (shares * times).sum(), .sigma = std::hypot(interval, error)};
 }
 
 }  // namespace
@@ -55,7 +44,7 @@ std::optional<Moment> onset_of(std::span<const AngleSample> samples, double inte
   if (still == 0 || still == samples.size()) return std::nullopt;
   const double rest = mean_of(samples.first(still));
   const auto way = [&](const AngleSample& each) { return std::abs(each.angle - rest); };
-  constexpr double early = 0.35;  // of the whole way: beyond, springs and dampers bend the line
+  constexpr double early = 0.35;  // of the whole way: what comes later says little of the begin
   const double bends = early * way(*std::ranges::max_element(samples, {}, way));
   const auto moving = std::ranges::find_if(samples, [&](const AngleSample& each) { return way(each) >= bends; });
   // The noise of pictures in which it moves: those before are frozen by compression, state less, and creep by more.
@@ -63,20 +52,24 @@ std::optional<Moment> onset_of(std::span<const AngleSample> samples, double inte
   const double noise = median_sigma({moving, std::min(samples.end(), moving + few)});
   constexpr double seen = 3.0;  // standard deviations: all that follow are seen too
   auto first = moving;
-  while (first != samples.begin() && way(*std::prev(first)) > seen * noise) --first;
-  // Until it is twice as fast, where that is not too few: then the line bends.
-  auto last = first;
-  while (++last != samples.end() && way(*last) <= bends && (last - first < few || way(*last) < 4.0 * way(*first))) {
-  }
-  Eigen::ArrayXd roots(last - first);
-  Eigen::ArrayXd times(last - first);
-  for (Eigen::Index i = 0; i < roots.size(); ++i) {
-    roots[i] = std::sqrt(way(first[i]));
-    times[i] = first[i].time;
-  }
-  Moment out = rest_by_line(roots, times, noise, interval);
-  out.time = std::clamp(out.time, samples.front().time, first->time);
+  const double sign = moving->angle < rest ? -1.0 : 1.0;
+  while (first != samples.begin() && sign * (std::prev(first)->angle - rest) > seen * noise) --first;
+  constexpr double least_rest = 3.0;  // intervals: what moves when the film begins has begun before
+  if (first->time - samples.front().time < least_rest * interval) return std::nullopt;
+  constexpr std::ptrdiff_t resting = 12;
+  constexpr std::ptrdiff_t least = 5;
+  constexpr std::ptrdiff_t most = 16;
+  const auto begin = first - std::min(resting, first - samples.begin());
+  auto end = std::next(first);
+  while (end != samples.end() && end - first < most && (end - first < least || way(*end) <= bends)) ++end;
+  Moment out = motion_start({begin, end}, static_cast<std::size_t>(first - begin), rest, noise, interval).moment;
+  out.sigma = std::hypot(interval, out.sigma);  // the torque's rise and the stamps are not known better
   return out;
+}
+
+bool is_known_to_two_pictures(const Moment& moment, double interval) {
+  constexpr double most = 2.0;  // pictures to either side, all alike: a standard deviation of that over the root of 3
+  return moment.sigma <= std::hypot(1.0, most / std::sqrt(3.0)) * interval;
 }
 
 std::optional<Moment> led_lit(const TrackedFilm& film, const FingerMotion& motion, double row) {
@@ -95,9 +88,10 @@ std::optional<Moment> led_lit(const TrackedFilm& film, const FingerMotion& motio
   const double partly = share(*lit);
   const double before = std::prev(lit)->time * scale + 0.5 * exposure;
   const double after = lit->time * scale - 0.5 * exposure;
-  const double time =
-      partly < 0.9 && exposure > 0.0 ? lit->time * scale + (0.5 - partly) * exposure : 0.5 * (before + after);
-  return Moment{.time = time + later, .sigma = motion.interval / std::sqrt(12.0)};
+  const bool seen = partly < 0.9 && exposure > 0.0;
+  const double time = seen ? lit->time * scale + (0.5 - partly) * exposure : 0.5 * (before + after);
+  const double open = seen ? 0.0 : after - before;  // more than an interval where pictures are not there
+  return Moment{.time = time + later, .sigma = std::max(motion.interval, open) / std::sqrt(12.0)};
 }
 
 }  // namespace coilwright::video

@@ -62,10 +62,9 @@ std::vector<Sighting> TagTracker::tags_of(const Picture& picture) {
     else
       missing = true;
   }
-  // A tag that went out of sight is searched everywhere for a while, then now and then, as tags that were never seen.
+  // A tag that is not where it must have gone is searched everywhere, one that was never seen now and then.
   constexpr int seldom = 32;
-  if (since_search_all_++ >= seldom || (missing && (known_.empty() || since_search_all_ % 4 == 1)))
-    search_all(picture, found);
+  if (since_search_all_++ >= seldom || missing) search_all(picture, found);
   for (auto& [id, known] : known_) known.lost = !found.contains(id);
   std::vector<Sighting> out;
   for (const auto& [id, fit] : found) {

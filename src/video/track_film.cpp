@@ -1,13 +1,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/video/tracked_film.hpp"
+#include "video/motion_start.hpp"
 #include "video/tag_tracker.hpp"
 
 namespace coilwright::video {
@@ -35,35 +39,67 @@ double light_at(const Picture& picture, const Place& place) {
   return count > 0 ? sum / count : 0.0;
 }
 
-struct Turn {
-  double angle;
-  double sigma;
-};
-
-// How far a tag turned from one frame to the next; nothing where it was not read in both.
-std::optional<Turn> turn_between(const Frame& from, const Frame& to, int id) {
-  const auto before = std::ranges::find(from.sightings, id, &Sighting::id);
-  const auto after = std::ranges::find(to.sightings, id, &Sighting::id);
-  if (before == from.sightings.end() || after == to.sightings.end()) return std::nullopt;
-  return Turn{.angle = std::remainder(picture_angle(after->shape) - picture_angle(before->shape), 2.0 * M_PI),
-              .sigma = std::hypot(before->sigma, after->sigma)};
+// The angles of a tag, as it stands in the pictures that show it.
+std::vector<AngleSample> angles_of(std::span<const Frame> frames, int id) {
+  std::vector<AngleSample> out;
+  for (const Frame& frame : frames)
+    if (const auto tag = std::ranges::find(frame.sightings, id, &Sighting::id); tag != frame.sightings.end()) {
+      const double last = out.empty() ? 0.0 : out.back().angle;
+      const double turn = std::remainder(picture_angle(tag->shape) - last, 2.0 * M_PI);
+      out.push_back({.time = frame.time, .angle = last + turn, .sigma = tag->sigma});
+    }
+  return out;
 }
 
-// A double that was compressed is not the same to the bit: all tags stand within their deviation, between two frames
-// over which one of them turns the same way beyond doubt.
-bool is_double(std::span<const Frame> frames, std::size_t i) {
+// Standard deviations by which a tag turned, positive where its angle grew.
+double turn_between(const AngleSample& from, const AngleSample& to) {
+  return (to.angle - from.angle) / std::hypot(from.sigma, to.sigma);
+}
+
+// Whether the tag would have begun to move in sample `i`, which stands as those before it do, had that been a new one.
+// In sample `next` it has moved.
+bool hides_a_start(std::span<const AngleSample> samples, std::size_t i, std::size_t next, double interval) {
+  std::vector<double> sigmas;
+  for (const AngleSample& each : samples.subspan(next, std::min<std::size_t>(6, samples.size() - next)))
+    sigmas.push_back(each.sigma);
+  const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
+  std::ranges::nth_element(sigmas, middle);
+  constexpr double stands = 3.0;  // standard deviations
+  constexpr std::size_t resting = 12;
+  constexpr std::size_t fewest = 5;  // of which fewer stand so at a turning point from which it moves as fast
+  constexpr std::size_t moving = 8;
+  const double still = samples[i < 2 ? 0 : i - 2].angle;  // the sample before may have seen it begin
+  std::size_t begin = i - 1;
+  while (begin > 0 && i - begin < resting && std::abs(samples[begin - 1].angle - still) < stands * *middle) --begin;
+  if (i - begin < fewest) return false;
+  double rest = 0.0;
+  for (std::size_t k = begin; k + 1 < i; ++k) rest += samples[k].angle / static_cast<double>(i - 1 - begin);
+  const auto window = samples.subspan(begin, std::min(samples.size() - begin, next - begin + moving));
+  constexpr double all_but_sure = 0.9;
+  return motion_start(window, next - begin, rest, *middle, interval).repeated[i - begin] > all_but_sure;
+}
+
+// Whether a sample shows the picture before once more. A double that was compressed is not the same to the bit: the tag
+// stands within its deviation, between samples over which it turns the same way beyond doubt, or begins to.
+bool is_repeat(std::span<const AngleSample> samples, std::size_t i, double interval) {
   constexpr double beyond_doubt = 5.0;
-  bool turns = false;
-  for (const Sighting& tag : frames[i].sightings) {
-    const auto now = turn_between(frames[i - 1], frames[i], tag.id);
-    if (!now || std::abs(now->angle) > now->sigma) return false;
-    const auto before = turn_between(frames[i - 2], frames[i - 1], tag.id);
-    const auto after = turn_between(frames[i], frames[i + 1], tag.id);
-    turns |= before && after && before->angle * after->angle > 0.0 &&
-             std::abs(before->angle) > beyond_doubt * before->sigma &&
-             std::abs(after->angle) > beyond_doubt * after->sigma;
+  constexpr std::size_t in_a_row = 2;
+  if (std::abs(turn_between(samples[i - 1], samples[i])) > 1.0) return false;
+  for (std::size_t next = i + 1; next < samples.size() && next - i <= in_a_row; ++next) {
+    const double after = turn_between(samples[i - 1], samples[next]);
+    if (std::abs(after) <= beyond_doubt) continue;
+    const double before = i >= 2 ? turn_between(samples[i - 2], samples[i - 1]) : 0.0;
+    return std::abs(before) > beyond_doubt ? before * after > 0.0 : hides_a_start(samples, i, next, interval);
   }
-  return turns;
+  return false;
+}
+
+// Whether all tags of a frame stand as in the frame before.
+bool stands_as(const Frame& before, const Frame& frame) {
+  return std::ranges::all_of(frame.sightings, [&](const Sighting& tag) {
+    const auto angles = angles_of(std::array{before, frame}, tag.id);
+    return angles.size() == 2 && std::abs(turn_between(angles[0], angles[1])) <= 1.0;
+  });
 }
 
 class FilmTracker {
@@ -87,11 +123,23 @@ class FilmTracker {
 
  private:
   void leave_out_doubles() {
-    for (std::size_t i = 2; i + 1 < film_.frames.size(); ++i)
-      if (is_double(film_.frames, i)) {
-        film_.frames.erase(film_.frames.begin() + static_cast<std::ptrdiff_t>(i));
-        ++film_.doubled;
-      }
+    const double interval = (last_time_ - film_.frames.front().time) / static_cast<double>(film_.pictures - 1);
+    for (const int id : ids_) {
+      std::vector<AngleSample> samples = angles_of(film_.frames, id);
+      for (std::size_t i = 1; i + 1 < samples.size();)
+        if (is_repeat(samples, i, interval) && leave_out_double(samples[i].time))
+          samples.erase(samples.begin() + static_cast<std::ptrdiff_t>(i));
+        else
+          ++i;
+    }
+  }
+
+  bool leave_out_double(double time) {
+    const auto frame = std::ranges::lower_bound(film_.frames, time, {}, &Frame::time);
+    if (!stands_as(*std::prev(frame), *frame)) return false;
+    film_.frames.erase(frame);
+    ++film_.doubled;
+    return true;
   }
 
   [[nodiscard]] InputError refused(std::string rule) const {
@@ -100,14 +148,22 @@ class FilmTracker {
 
   void take(const Picture& picture) {
     if (film_.pictures++ == 0) begin(picture);
-    if (picture.grey == last_) {
+    const bool same = picture.grey == last_;
+    // Where compression changes few pixels from one still picture to the next, it changes none now and then: that is no
+    // double, unless the motion says so.
+    constexpr double noise_shows = 0.5;
+    if (same && changed_ > noise_shows) {
       ++film_.doubled;
       return;
     }
+    if (!same && picture.grey.size() == last_.size())
+      changed_ = std::inner_product(last_.begin(), last_.end(), picture.grey.begin(), 0.0, std::plus<>(),
+                                    std::not_equal_to<>()) /
+                 static_cast<double>(last_.size());
     if (film_.pictures > 1 && picture.time <= last_time_)
       throw refused(fmt::format("must have time stamps that increase; picture {} is stamped {:.6g} s after {:.6g} s",
                                 film_.pictures, picture.time, last_time_));
-    Frame frame{.time = picture.time, .sightings = tracker_.tags_of(picture)};
+    Frame frame{.time = picture.time, .sightings = same ? film_.frames.back().sightings : tracker_.tags_of(picture)};
     if (request_.led) frame.led = light_at(picture, *request_.led);
     if (frame.sightings.empty() && ids_.empty()) look_into_the_mirror(picture);
     for (const Sighting& each : frame.sightings) ids_.insert(each.id);
@@ -149,6 +205,7 @@ class FilmTracker {
   TrackedFilm film_;
   std::vector<std::uint8_t> last_;
   double last_time_{};
+  double changed_{1.0};  // share of the pixels that the last picture that was no repeat changed
   std::set<int> ids_;
 };
 

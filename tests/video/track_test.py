@@ -86,6 +86,34 @@ class Track(FilmTest):
             self.assertTrue(times.isdisjoint(gone), times)
             self.assertLessEqual(set(range(26, 68)) - gone, times)  # in the motion no others are gone
 
+    def test_a_lost_picture_whose_place_another_takes_is_no_begin(self):
+        # The finger is let go at 36.6 pictures; FFmpeg shows picture 37 in place of the next, which moves 13 times as much.
+        moves = [(time, 5 + damped_step(time, 0.61, 30)) for time, _ in STEP]
+        self.render("whole.mp4", {**SMALL, "rate": 60, "duration": 0.9, "crf": 23}, moves)
+        self.write("step.csv", LOG)
+        ffmpeg("-i", "whole.mp4", "-vf", "select='not(eq(n,38))',fps=60", "step.mp4", cwd=self.folder)
+        for film, doubled in {"whole.mp4": 0, "step.mp4": 1}.items():
+            answer = self.track(film, "--current", "step.csv", "--out", "data", "--force")
+            self.assertEqual(answer["films"][0]["doubled"], doubled)
+            times = [row["time_s"] for row in self.numbers(f"data/{film[:-4]}.csv")]
+            phase = (times[0] - 10.5 + 0.61) * 60  # pictures, were the begin known exactly
+            self.assertLess(abs(phase - round(phase)), 0.5)
+            self.assertEqual(38 in [round(each * 60 - phase + round(phase) - (10.5 - 0.61) * 60) for each in times],
+                             not doubled)
+            self.assertLess(self.result("data/dataset.json")["runs"][0]["clock_offset_s"], 1.2 / 60)
+
+    def test_a_begin_that_no_picture_shows_is_refused(self):
+        moves = [(time, 5 + damped_step(time, 0.51, 30)) for time, _ in STEP]
+        self.render("step.mp4", {**SMALL, "rate": 30, "duration": 1.0, "filter": "select='not(between(n,13,21))'"}, moves)
+        self.write("step.csv", LOG)
+        before = self.files()
+        result = run("track", "step.mp4", "--current", "step.csv", "--out", "data", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stdout, self.files()), (2, "", before))
+        self.assertRegex(result.stderr, r"\Acoilwright: step.mp4: must show to two pictures, 0.067 s, when the finger begins "
+                         r"to move; pictures there that are noisy, doubled, missing or not read leave it open: film it again "
+                         r"with more light and a shorter exposure, or with an LED that is lit with the step \(--led X,Y\); "
+                         r"got 0\.\d+ s\n\Z")
+
     def test_a_film_of_a_variable_frame_rate_keeps_the_time_of_each_picture(self):
         # As a phone stamps them: 8.3 to 10.4 ms apart.
         shown = "+".join(f"eq(mod(n,17),{k})" for k in (0, 4, 9, 13))

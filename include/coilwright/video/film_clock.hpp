@@ -18,11 +18,17 @@ struct Moment {
   double sigma{};  ///< s
 };
 
-/// When a tag begins to move, from the root of how far it has come, which is straight under a constant torque; nothing
-/// where it does not. The torque's own rise makes it late.
+/// When a tag begins to move, by what it does from rest under a torque that is constant or rises to that; nothing where
+/// it does not move, or not after a rest of three intervals. Pictures that were not read, or may show the one before
+/// once more, enter `sigma`, which is never below an interval. A torque that comes after the current makes it late.
 [[nodiscard]] std::optional<Moment> onset_of(std::span<const AngleSample> samples, double interval);
 
-/// When the LED is first lit; nothing where its light does not change by 25 grey. `row` is where it is.
+/// Whether a moment is known to two pictures: at least as well as one that lies anywhere within two intervals to either
+/// side of it, with an interval for what no picture shows.
+[[nodiscard]] bool is_known_to_two_pictures(const Moment& moment, double interval);
+
+/// When the LED is first lit; nothing where its light does not change by 25 grey. `row` is where it is. Pictures that
+/// are not there enter `sigma`.
 [[nodiscard]] std::optional<Moment> led_lit(const TrackedFilm& film, const FingerMotion& motion, double row);
 
 }  // namespace coilwright::video

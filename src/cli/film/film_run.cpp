@@ -154,7 +154,7 @@ void take_log(FilmRuns& out, const video::TrackedFilm& film, const FingerMotion&
   for (const video::TagMotion& tag : motion.tags) {
     if (led_row) break;
     const auto onset = video::onset_of(tag.samples, motion.interval);
-    if (onset && (!begins || onset->time < begins->time)) begins = onset;
+    if (onset && (!begins || onset->sigma < begins->sigma)) begins = onset;
   }
   if (!begins)
     throw text::InputError({.file = film.file,
@@ -162,6 +162,16 @@ void take_log(FilmRuns& out, const video::TrackedFilm& film, const FingerMotion&
                             .rule = "must show the finger at rest and then moving, or an LED (--led X,Y): "
                                     "without, its clock cannot be set by the log",
                             .value = ""});
+  if (!video::is_known_to_two_pictures(*begins, motion.interval))
+    throw text::InputError(
+        {.file = film.file,
+         .place = "",
+         .rule = fmt::format("must show to two pictures, {:.2g} s, when {}; pictures there that are noisy, doubled, "
+                             "missing or not read "
+                             "leave it open: film it again with more light and a shorter exposure{}",
+                             2.0 * motion.interval, led_row ? "the LED is lit" : "the finger begins to move",
+                             led_row ? "" : ", or with an LED that is lit with the step (--led X,Y)"),
+         .value = fmt::format("{:.2g} s", begins->sigma)});
   Run& run = out.motion;
   run.drive = log.drive;
   run.input_times = log.times;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -112,22 +111,14 @@ void RunArchive::open(const StudyOptions& options, const archive::Contents& aske
     if (holds_results && !options.force)
       throw refusal(folder_.path(),
                     "holds results without an archive: --force replaces them, another --out keeps them");
-    if (options.force)
-      replace_run(asked);
-    else
-      archive::create(path_, asked);
+    archive::create(path_, asked);
+    if (options.force) {
+      // Only now: the place of an archive may be refused, and then the other run stays whole.
+      remove_other_run(folder_, "");
+      folder_.commit();
+    }
   }
   for (const fs::path& file : results) text::remove_left_parts(file);
-}
-
-// The new archive is on the disk before anything of the other run goes, and has its name when nothing of that is left.
-void RunArchive::replace_run(const archive::Contents& asked) {
-  const fs::path fresh = folder_.path() / fmt::format(".{}.part-{}", archive_name, getpid());
-  archive::create(fresh, asked);
-  remove_other_run(folder_, "");
-  remove_other_archive(folder_);
-  folder_.commit();
-  fs::rename(fresh, path_);
 }
 
 bool RunArchive::is_finished(const archive::Reader& found) const {

@@ -50,7 +50,6 @@ class RunArchive {
 
  private:
   void open(const StudyOptions& options, const archive::Contents& asked, const sizing::DesignProblem& problem);
-  void replace_run(const archive::Contents& asked);
   [[nodiscard]] bool is_finished(const archive::Reader& found) const;
   [[nodiscard]] text::InputError unfinished(const archive::Reader& found, std::size_t designs) const;
   // What to say of another program whose designs are gone on with; else empty.

@@ -132,6 +132,7 @@ void remove_other_run(text::OutputFolder& folder, std::string_view key) {
 }
 
 void remove_other_archive(text::OutputFolder& folder) {
+  if (!is_there(folder.path() / archive_name)) return;  // without it, what has the name of its log is a person's
   for (const RunFile& each : run_files)
     if (is_of_archive(each.name)) folder.remove(each.name);
 }

@@ -1,5 +1,6 @@
 #include "cli/command_line.hpp"
 
+#include <cxxabi.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <malloc.h>
@@ -19,6 +20,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <typeinfo>
 #include <vector>
 
 #include "cli/command_tree.hpp"
@@ -75,14 +77,13 @@ std::string out_of_memory;
 std::terminate_handler terminate_otherwise = nullptr;
 
 // Memory may fail where nothing can be thrown: under a library in C, in what clears up after another error, in the
-// telling of it.
+// telling of it. Functions of the standard library that throw nothing (std::filesystem's with an error_code) then end
+// the program without an exception that could be asked, and nothing else in this program does.
 [[noreturn]] void end_out_of_memory() {
-  try {
-    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
-  } catch (const std::bad_alloc&) {
+  const std::type_info* thrown = abi::__cxa_current_exception_type();
+  if (thrown == nullptr || *thrown == typeid(std::bad_alloc)) {
     [[maybe_unused]] const ssize_t said = ::write(STDERR_FILENO, out_of_memory.data(), out_of_memory.size());
     std::_Exit(static_cast<int>(ExitCode::failure));
-  } catch (...) {
   }
   terminate_otherwise();
   std::abort();

@@ -134,8 +134,8 @@ std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_bench(const Mo
                    .predictions = std::move(*predicted)};
 }
 
-// Window after window: the internal states of effects (heat, creep) continue from one to the next; angles and rates have
-// an initial state of their own in each.
+// Window after window: the internal states of effects (heat, creep) continue from one to the next; angles and rates
+// have an initial state of their own in each.
 std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_windows(const Model& model, std::size_t r,
                                                                           const RunValues* nearby) const {
   const replay::PreparedRun& prepared = request_.runs[r];

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <stdexcept>
 #include <utility>
 
 #include "cli/command_tree.hpp"
@@ -56,9 +55,7 @@ std::vector<CommandDescription> descriptions(const CLI::App& app) {
     }
     const std::string program(place_of(name)->program);
     if (!told.contains(program)) {
-      const Ended ended = run_program(program, {"describe"}, Stream::output);
-      if (ended.status != 0) throw std::runtime_error("coilwright-" + program + " does not describe its commands");
-      told.emplace(program, text::parse_json(ended.printed, program));
+      told.emplace(program, text::parse_json(run_program(program, {"describe"}).output, program));
     }
     out.push_back(from_json(told.at(program).root().find(name).value()));
   }

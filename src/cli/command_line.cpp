@@ -26,6 +26,7 @@
 #include "cli/command_tree.hpp"
 #include "cli/programs.hpp"
 #include "coilwright/results/build_info.hpp"
+#include "coilwright/results/sha256.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/text/one_line.hpp"
@@ -256,6 +257,7 @@ int program(int argc, char** argv, std::span<const Command> commands) {
   // A file that may grow no further (ulimit -f) is then an error of the writing, told as a full disk is, and no death.
   std::signal(SIGXFSZ, SIG_IGN);
   share_heap_where_addresses_are_few();
+  (void)results::sha256({});  // OpenSSL reads through a null pointer where memory fails while it makes itself ready
   return static_cast<int>(run({argv, static_cast<std::size_t>(argc)}, commands));
 }
 

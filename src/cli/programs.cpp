@@ -51,6 +51,25 @@ std::vector<char*> ended_by_null(std::vector<std::string>& words) {
   return out;
 }
 
+// It takes any length, and nobody waits for a reader.
+class FileInMemory {
+ public:
+  FileInMemory() = default;
+  ~FileInMemory() { close(descriptor_); }
+  FileInMemory(const FileInMemory&) = delete;
+  FileInMemory& operator=(const FileInMemory&) = delete;
+
+  [[nodiscard]] int descriptor() const { return descriptor_; }
+  [[nodiscard]] std::string text() const {
+    std::ostringstream out;
+    out << std::ifstream(fmt::format("/proc/self/fd/{}", descriptor_)).rdbuf();
+    return out.str();
+  }
+
+ private:
+  int descriptor_ = memfd_create("stream", MFD_CLOEXEC);
+};
+
 }  // namespace
 
 std::span<const CommandPlace> command_places() {
@@ -69,26 +88,27 @@ void go_on_in(std::string_view program, std::span<const char* const> arguments) 
   throw cannot_run(file, errno);
 }
 
-Ended run_program(std::string_view program, const std::vector<std::string>& arguments, Stream stream) {
+Printed run_program(std::string_view program, const std::vector<std::string>& arguments) {
   const std::string file = file_of(program);
   std::vector<std::string> words{"coilwright"};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  const int kept = memfd_create("printed", MFD_CLOEXEC);  // a file in memory: it takes any length, and nobody waits
+  const FileInMemory output;
+  const FileInMemory errors;
   posix_spawn_file_actions_t streams;
   posix_spawn_file_actions_init(&streams);
-  posix_spawn_file_actions_adddup2(&streams, kept, static_cast<int>(stream));
-  if (stream == Stream::errors) posix_spawn_file_actions_addopen(&streams, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&streams, output.descriptor(), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&streams, errors.descriptor(), STDERR_FILENO);
   pid_t child{};
   const int failed = posix_spawn(&child, file.c_str(), &streams, nullptr, ended_by_null(words).data(), environ);
   posix_spawn_file_actions_destroy(&streams);
-  int status{};
-  if (failed == 0)
-    while (waitpid(child, &status, 0) == -1 && errno == EINTR) continue;
-  std::ostringstream printed;
-  if (failed == 0) printed << std::ifstream(fmt::format("/proc/self/fd/{}", kept)).rdbuf();
-  close(kept);
   if (failed != 0) throw cannot_run(file, failed);
-  return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : 1, .printed = printed.str()};
+  int status{};
+  while (waitpid(child, &status, 0) == -1 && errno == EINTR) continue;
+  Printed out{.output = output.text(), .errors = errors.text()};
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return out;
+  constexpr std::string_view name = "coilwright: ";
+  throw std::runtime_error(out.errors.starts_with(name) ? out.errors.substr(name.size())
+                                                        : fmt::format("{} failed", file));
 }
 
 }  // namespace coilwright::cli

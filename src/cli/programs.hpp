@@ -24,17 +24,14 @@ struct CommandPlace {
 /// std::runtime_error that says how to get the program where it is not there.
 [[noreturn]] void go_on_in(std::string_view program, std::span<const char* const> arguments);
 
-/// What a program left that ran to its end.
-struct Ended {
-  int status{};         ///< its exit code; 1 where a signal ended it
-  std::string printed;  ///< on the stream that was asked for
+/// What a program printed that ended well.
+struct Printed {
+  std::string output;  ///< on standard output
+  std::string errors;  ///< and on standard error
 };
 
-/// The stream of a program that its caller reads. Of `output`, errors go where those of this process go; of `errors`,
-/// output goes nowhere.
-enum class Stream { output = 1, errors = 2 };
-
-/// Runs a program beside this one and waits for its end. Throws as go_on_in() does.
-[[nodiscard]] Ended run_program(std::string_view program, const std::vector<std::string>& arguments, Stream stream);
+/// Runs a program beside this one and waits for its end. Throws std::runtime_error with its line where it fails, and as
+/// go_on_in() does.
+[[nodiscard]] Printed run_program(std::string_view program, const std::vector<std::string>& arguments);
 
 }  // namespace coilwright::cli

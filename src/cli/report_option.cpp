@@ -4,7 +4,6 @@
 
 #include <iostream>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,11 +41,7 @@ void write_report(const std::filesystem::path& folder, bool force) {
   std::vector<std::string> arguments{"report", "--out=" + file.string()};
   if (force) arguments.emplace_back("--force");
   arguments.insert(arguments.end(), {"--", folder.string()});
-  const Ended ended = run_program("page", arguments, Stream::errors);
-  constexpr std::string_view name = "coilwright: ";
-  if (ended.status != 0)
-    throw std::runtime_error(ended.printed.starts_with(name) ? ended.printed.substr(name.size()) : ended.printed);
-  std::cerr << ended.printed;
+  std::cerr << run_program("page", arguments).errors;
 }
 
 }  // namespace coilwright::cli

@@ -10,7 +10,7 @@ import tempfile
 import time
 import unittest
 
-from program import PROGRAM, ProgramTest, run
+from program import DATA, PROGRAM, ProgramTest, run
 
 # A pendulum of 0.5 kg on 0.2 m, with damping and no spring: quick to simulate.
 ROD = {"format": "lumped-model/1", "name": "rod", "gravity_m_s2": 9.81, "magnetics": None,
@@ -348,6 +348,16 @@ class Diagnose(ProgramTest):
                 errors = found["error"]["validate"]
                 self.assertEqual(errors["declared"], errors["before"], start)
                 self.assertIn("</html>", (self.folder / "scored" / "report.html").read_text())
+
+    def test_a_damping_that_is_declared_as_nothing_takes_no_mass_away(self):
+        shutil.copytree(DATA / "measurement" / "swing", self.folder / "set")
+        result = run("diagnose", "set", "--out", "out", "--quiet", cwd=self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        found = json.loads((self.folder / "out" / "diagnosis.json").read_text())
+        self.assertEqual((found["verdict"], found["effects"]), ("no_missing_effect", []))
+        damping, length = (found["calibration"][key]["ci95"] for key in ("joint_damping_Nmms_rad", "/links/0/com_along_m"))
+        self.assertTrue(damping[0] < 0.06 < damping[1], damping)
+        self.assertTrue(length[0] < 0.3317 < length[1], length)
 
     def test_an_answer_that_cannot_be_written_is_printed(self):
         self.take_friction()

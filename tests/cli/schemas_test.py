@@ -208,8 +208,8 @@ class SchemasAndProgram(ProgramTest):
                    "pair": ["force", "input.json"],
                    "study": ["pareto", "input.json", "--out", "out", "--force", "--max-evaluations", "3",
                              *([] if searches else READ_ONLY)],
-                   "measured-data": ["diagnose", "input.json", "--actuator", "finger.json", "--out", "out"],
-                   "experiment": ["twin", "lumped_model.json", "--experiment", "input.json", "--out", "out"]}[schema]
+                   "measured-data": ["diagnose", "input.json", "--actuator", "finger.json", "--out", "found"],
+                   "experiment": ["twin", "lumped_model.json", "--experiment", "input.json", "--out", "made"]}[schema]
         self.write("input.json", json.dumps(document))
         result = run(*command, cwd=self.folder)
         if result.returncode in (0, NOTHING_FEASIBLE) or WAS_READ.search(result.stderr):

@@ -9,9 +9,10 @@
 namespace coilwright::report {
 
 /// What a reader must know of forces between bodies and the numbers do not show, gathered pose by pose: bodies in one
-/// place, edges on faces, a plate that is no mirror. Refers to the file.
+/// place, edges on faces, a plate that is no mirror.
 class PairRemarks {
  public:
+  /// Of the poses of `file`, which it refers to.
   explicit PairRemarks(const formats::PairFile& file) : file_(file) {}
 
   /// The bodies in pose number `pose` of the last one, from 1.

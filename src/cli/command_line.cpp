@@ -31,6 +31,7 @@
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/text/output/output_file.hpp"
+#include "coilwright/text/output/plain_output.hpp"
 #include "coilwright/text/spelling.hpp"
 
 namespace coilwright::cli {
@@ -257,6 +258,8 @@ int program(int argc, char** argv, std::span<const Command> commands) {
   // A file that may grow no further (ulimit -f) is then an error of the writing, told as a full disk is, and no death.
   std::signal(SIGXFSZ, SIG_IGN);
   share_heap_where_addresses_are_few();
+  const text::PlainOutput out(std::cout, isatty(STDOUT_FILENO) == 1);
+  const text::PlainOutput errors(std::cerr, isatty(STDERR_FILENO) == 1);
   (void)results::sha256({});  // OpenSSL reads through a null pointer where memory fails while it makes itself ready
   return static_cast<int>(run({argv, static_cast<std::size_t>(argc)}, commands));
 }

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "coilwright/text/one_line.hpp"
+#include "coilwright/text/output/plain_output.hpp"
+
 namespace coilwright::cli {
 namespace {
 
@@ -47,7 +50,7 @@ std::string duration_text(double seconds) {
 
 ProgressLine::ProgressLine(std::ostream& out, Place place, std::chrono::milliseconds interval,
                            std::function<std::string()> words)
-    : out_(out), place_(place), interval_(interval), words_(std::move(words)) {
+    : out_(text::PlainOutput::past(out)), place_(place), interval_(interval), words_(std::move(words)) {
   if (place_ != Place::nowhere) thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }
 
@@ -61,7 +64,7 @@ void ProgressLine::work(const std::stop_token& stop) {
   std::unique_lock lock(guard_);
   if (place_ == Place::log) over_.wait_for(lock, stop, interval_, [] { return false; });
   while (!stop.stop_requested()) {
-    const std::string text = words_();
+    const std::string text = text::one_line(words_(), 1000);
     if (place_ == Place::log) {
       out_ << text + '\n' << std::flush;
     } else {

@@ -56,7 +56,7 @@ class ProgressLine {
  private:
   void work(const std::stop_token& stop);
 
-  std::ostream& out_;
+  std::ostream out_;
   Place place_;
   std::chrono::milliseconds interval_;
   std::function<std::string()> words_;

@@ -3,15 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
+
+#include "text/code_point.hpp"
 
 namespace coilwright::text {
-namespace {
-
-struct CodePoint {
-  std::uint32_t value{};
-  std::size_t bytes{};  // 0: what stands here is not UTF-8
-};
 
 // RFC 3629, with its exclusion of overlong forms, surrogates and what lies beyond U+10FFFF.
 CodePoint decode(std::string_view text) {
@@ -31,7 +26,16 @@ CodePoint decode(std::string_view text) {
   return {value, bytes};
 }
 
-std::string escaped(CodePoint point, std::string_view bytes) {
+bool is_begun(std::string_view text) {
+  const auto first = static_cast<unsigned char>(text.front());
+  const std::size_t whole = first < 0xC2 || first > 0xF4 ? 1 : first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  return text.size() < whole &&
+         std::ranges::all_of(text.substr(1), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; });
+}
+
+std::string shown_letter(std::string_view bytes) {
+  const CodePoint point = decode(bytes);
+  if (point.bytes == 0) return fmt::format("\\x{:02x}", static_cast<unsigned char>(bytes.front()));
   switch (point.value) {
     case '\n':
       return "\\n";
@@ -52,18 +56,14 @@ std::string escaped(CodePoint point, std::string_view bytes) {
   return std::string(bytes);
 }
 
-}  // namespace
-
 std::string one_line(std::string_view text, std::size_t longest) {
   constexpr std::string_view cut_mark = "...";
   std::string line;
   std::size_t cut = 0;  // the last place between letters that leaves room for the mark
   while (!text.empty() && line.size() <= longest) {
     if (line.size() + cut_mark.size() <= longest) cut = line.size();
-    const CodePoint point = decode(text);
-    const std::size_t taken = point.bytes == 0 ? 1 : point.bytes;
-    line += point.bytes == 0 ? fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]))
-                             : escaped(point, text.substr(0, taken));
+    const std::size_t taken = std::max<std::size_t>(1, decode(text).bytes);
+    line += shown_letter(text.substr(0, taken));
     text.remove_prefix(taken);
   }
   return line.size() <= longest ? line : line.substr(0, cut).append(cut_mark);

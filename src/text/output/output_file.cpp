@@ -22,6 +22,7 @@
 
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/text/opened_file.hpp"
+#include "coilwright/text/output/plain_output.hpp"
 #include "text/input_file.hpp"
 
 namespace coilwright::text {
@@ -110,11 +111,14 @@ class OutputFile::Sink : private std::streambuf {
   void copy_to_standard_output() {
     sync();
     ssize_t count = ::lseek(file_, 0, SEEK_SET);
-    while (count >= 0 && (count = ::read(file_, buffer_.data(), buffer_.size())) > 0)
-      std::cout.write(buffer_.data(), count);
-    if (count < 0) refuse(OutputError::Stage::writing);
+    // Elsewhere than on a terminal the bytes are those of a file.
     std::cout.flush();
-    if (!std::cout) throw OutputError(standard_stream, "standard output does not take it", OutputError::Stage::writing);
+    std::ostream out(::isatty(STDOUT_FILENO) == 1 ? std::cout.rdbuf() : PlainOutput::past(std::cout));
+    while (count >= 0 && (count = ::read(file_, buffer_.data(), buffer_.size())) > 0) out.write(buffer_.data(), count);
+    if (count < 0) refuse(OutputError::Stage::writing);
+    out.flush();
+    if (!out || !std::cout)
+      throw OutputError(standard_stream, "standard output does not take it", OutputError::Stage::writing);
   }
 
  protected:
@@ -175,6 +179,11 @@ std::ostream& OutputFile::stream() noexcept {
 
 void OutputFile::close() {
   sink_->finish();
+}
+
+const fs::path& OutputFile::written() {
+  close();
+  return sibling_;
 }
 
 bool OutputFile::would_change() {

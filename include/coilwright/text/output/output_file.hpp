@@ -46,6 +46,8 @@ class OutputFile {
 
   /// Writes out what is buffered and waits until all of it is on the disk. Throws OutputError (writing).
   void close();
+  /// Closes, and says which file has the bytes until commit(); none for standard output. Throws as close().
+  [[nodiscard]] const std::filesystem::path& written();
   /// Closes, and tells whether commit() would replace a file of another content. Throws OutputError (writing),
   /// InputError where that file cannot be opened.
   [[nodiscard]] bool would_change();

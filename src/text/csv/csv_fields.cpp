@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view blanks = " \t";
 
 void take_field(void* field, std::size_t size, void* fields) {
-  static_cast<std::vector<std::string>*>(fields)->emplace_back(static_cast<const char*>(field), size);
+  static_cast<std::vector<std::string>*>(fields)->emplace_back(without_guard({static_cast<const char*>(field), size}));
 }
 
 }  // namespace
@@ -57,6 +57,16 @@ std::vector<std::string> fields_of(std::string_view line, char separator) {
   csv_free(&parser);
   if (!has_memory) throw std::bad_alloc();
   return fields;
+}
+
+bool begins_a_formula(std::string_view text) noexcept {
+  const std::size_t first = text.find_first_not_of('\'');
+  return first != std::string_view::npos && std::string_view("=+-@\t\r\n").find(text[first]) != std::string_view::npos;
+}
+
+std::string_view without_guard(std::string_view field) noexcept {
+  if (field.starts_with('\'') && begins_a_formula(field)) field.remove_prefix(1);
+  return field;
 }
 
 bool is_absent(std::string_view field) noexcept {

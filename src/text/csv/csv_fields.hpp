@@ -20,6 +20,14 @@ namespace coilwright::text {
 /// What stands between columns that cut_at_blanks() cut: the unit separator of ASCII.
 inline constexpr char blank_cut = '\x1f';
 
+/// Whether a spreadsheet takes a text for a formula, and does what it says: one that begins with = + - @, a tab or a
+/// line end, behind any number of apostrophes. CsvWriter puts an apostrophe before such a text, which a spreadsheet
+/// takes for a text then, and CsvParser takes it away.
+[[nodiscard]] bool begins_a_formula(std::string_view text) noexcept;
+
+/// A field as CsvWriter got it.
+[[nodiscard]] std::string_view without_guard(std::string_view field) noexcept;
+
 /// Whether the field is what programs write where there was no reading: nothing, nan, NA, null, -.
 [[nodiscard]] bool is_absent(std::string_view field) noexcept;
 

@@ -154,7 +154,7 @@ void CsvParser::give_out_row() {
   state.fields.clear();
   std::size_t start = 0;
   for (const std::size_t end : state.ends) {
-    state.fields.push_back(std::string_view(state.text).substr(start, end - start));
+    state.fields.push_back(without_guard(std::string_view(state.text).substr(start, end - start)));
     start = end;
   }
   state.on_row(state.fields, state.row_line);

@@ -11,11 +11,16 @@
 #include <stdexcept>
 #include <utility>
 
+#include "text/csv/csv_fields.hpp"
+
 namespace coilwright::text {
 namespace {
 
 // RFC 4180: quotes only around what would otherwise be misread.
-void append_text(std::string& line, std::string_view text) {
+void append_text(std::string& line, std::string_view content) {
+  std::string guarded;
+  if (begins_a_formula(content)) guarded.append(1, '\'').append(content);
+  const std::string_view text = guarded.empty() ? content : guarded;
   const bool plain = text.find_first_of(",\"\r\n") == std::string_view::npos && !text.starts_with(' ') &&
                      !text.ends_with(' ') && !text.starts_with('\t') && !text.ends_with('\t');
   if (plain) {

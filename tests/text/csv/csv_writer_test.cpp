@@ -1,12 +1,21 @@
 #include "coilwright/text/csv/csv_writer.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <locale>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "coilwright/text/csv/csv_texts.hpp"
+#include "temporary_folder.hpp"
 
 namespace coilwright::text {
 namespace {
@@ -34,6 +43,30 @@ TEST(CsvWriter, QuotesOnlyWhatWouldBeMisread) {
   writer.row({"plain text", "x,y", "say \"no\"", " padded"});
   writer.row({"two\nlines", "", "\"", "λ"});
   EXPECT_EQ(out.str(), "a,b,c,d\nplain text,\"x,y\",\"say \"\"no\"\"\",\" padded\"\n\"two\nlines\",,\"\"\"\",λ\n");
+}
+
+// Text that a spreadsheet takes for a formula, and does: told by its first letter, behind apostrophes too.
+TEST(CsvWriter, WritesNoFormulaAndItsTextsAreReadAsTheyWere) {
+  std::vector<std::string> texts{"plain", "a=1", "'", "''", "'plain", "5 mm", "\"", ""};
+  for (const char first : {'=', '+', '-', '@', '\t', '\r', '\n'})
+    for (const char* before : {"", "'", "'''"})
+      for (const char* rest : {"", "1+1", "cmd|' /C calc'!A0", "x,\"y\"", " "})
+        texts.push_back(fmt::format("{}{}{}", before, first, rest));
+  const coilwright::testing::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "table.csv";
+  {
+    std::ofstream out(path, std::ios::binary);
+    CsvWriter writer(out, {"+column", "number"});
+    for (const std::string& text : texts) writer.row({text, -1.5});
+  }
+  std::ifstream in(path, std::ios::binary);
+  const std::string written{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_THAT(written, ::testing::StartsWith("'+column,number\n"));
+  EXPECT_THAT(written, HasSubstr("\n'=1+1,-1.5\n"));
+  EXPECT_THAT(written, HasSubstr("\n'plain,-1.5\n"));
+  EXPECT_THAT(written, ::testing::Not(HasSubstr("\n=")));
+  const CsvTexts read = read_csv_texts(path, [](std::string_view) { return true; });
+  EXPECT_EQ(read.column("+column"), texts);
 }
 
 TEST(CsvWriter, IgnoresTheLocale) {

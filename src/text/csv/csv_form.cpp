@@ -263,6 +263,9 @@ CsvForm find_csv_form(std::string_view text, bool whole, const std::string& file
     // Rows that are none: the first line is taken for the names, and the next one says what is wrong.
     const auto first = std::ranges::find_if(
         lines, [](const Line& line) { return !has_nothing(line.text) && !line.text.starts_with('#'); });
+    if (lines.size() < 2 && !whole)
+      throw not_text(file, fmt::format("must have its names and first row within its first {} bytes: leave out columns",
+                                       csv_form_size));
     if (first == lines.end()) throw not_text(file, "is empty: it must have a header");
     if (!layout.separator) out.separator = most_fields(first->text);
     for (const std::string& name : fields_of(first->text, out.separator)) out.names.push_back(in_utf8(name));

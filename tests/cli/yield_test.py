@@ -57,6 +57,9 @@ class Spread(ProgramTest):
              '/spread/correlations/0/of/1: must be a number that scatters in this spread; got text "each_remanence_factor"'),
             ({"parts": "usual", "each_remanence_factor": {"relative_sd": 0.01}, "correlations": [{"of": ["gap_mm", "each_remanence_factor"], "value": 0.5}]},
              '/spread/correlations/0/of/1: must be one number: each part draws its own of this; got text "each_remanence_factor"'),
+            *(({name: {"sd": 0.01}}, f"/spread/{name}: scatters {name}, which the study's actuator does not give, or gives as 0, so that "
+               "half of all builds would have less than nothing: state it there")
+              for name in ("shore_hardness_00", "youngs_modulus_MPa")),
             ({"assumptions": {"as_designed": 1}}, "/spread/assumptions/as_designed: must be > 0 and < 1; got 1"),
             ({"posterior": "finger.json"}, '/spread/posterior: must name the diagnosis.json of a diagnosis; got text "finger.json"'),
             ({"posterior": "old.json"}, '/spread/posterior: must be of a diagnosis that states its numbers together: this one is of an '

@@ -239,6 +239,11 @@ void require_suits(const Node& node, const Spread& spread, const actuator::Desig
     if (scatter.relative && place && number->value == 0.0)
       throw at.error_without_value(fmt::format("scatters nothing: {} is 0, and so is any share of it", scatter.name));
     if (scatter.relative) continue;
+    if (number->value == 0.0 && (number->above || number->at_least) && scatter.deviation(one_in_ten_thousand) < 0.0)
+      throw at.error_without_value(fmt::format(
+          "scatters {}, which the study's actuator does not give, or gives as 0, so that half of all builds "
+          "would have less than nothing: state it there",
+          scatter.name));
     const double lowest = number->value + scatter.deviation(one_in_ten_thousand);
     if ((!number->above || lowest > *number->above) && (!number->at_least || lowest >= *number->at_least)) continue;
     throw at.error_without_value(

@@ -280,7 +280,7 @@ class Evaluate(ProgramTest):
             (changed(lambda a: a["coil"].update(inner_radius_mm=0.3)),
              "/: coil inner radius must be at least 0.5334 mm for AWG 28; got 0.3 mm"),
             (changed(lambda a: a["surroundings"].update(ambient_degC=-300)),
-             "/surroundings/ambient_degC: must be > -273.15 and <= 1000000; got -300"),
+             "/surroundings/ambient_degC: must be from -50 to 200; got -300"),
             (changed(lambda a: a.update(calibration={})),
              '/: gives "measured" and "calibration"; only one of them may be there'),
             (with_nan, f"line 1, column {with_nan.index('NaN') + 1}: must be a finite number: JSON has no NaN and no Infinity"),

@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import unittest
 
 from program import CONFIGS, PAPER_FINGER, ProgramTest, run
@@ -78,6 +79,18 @@ class List(ProgramTest):
             shore = row["shore_hardness_A"]
             gent = 0.0981 * (56 + 7.62336 * shore) / (0.137505 * (254 - 2.54 * shore))
             self.assertAlmostEqual(row["youngs_modulus_MPa"], gent, delta=1e-3 * gent)
+
+    def test_each_end_of_a_range_is_a_number_that_is_taken(self):
+        """Alone: another number of the design may then be what does not go with it."""
+        tried = 0
+        for row in rows("parameters"):
+            for end in re.findall(r"(?:from|to|<=|>=) (-?[\d.]+(?:e[+-]?\d+)?)", row["range"]):
+                result = run("evaluate", PAPER_FINGER, "--current-A", "0.1", "--set", f"{row['key']}={end}")
+                with self.subTest(f"{row['key']}={end}"):
+                    self.assertNotRegex(result.stderr, rf"must (lie in|be from|be finite|be [<>])[^;]*; got {re.escape(end)}\b")
+                    tried += 1
+        print(f"{tried} ends of ranges")
+        self.assertGreater(tried, 60)
 
     def test_a_table_for_people_has_every_row(self):
         for what in ("quantities", "parameters", "effects", "gauges", "magnets", "silicones", "spreads"):

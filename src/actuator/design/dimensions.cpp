@@ -28,10 +28,6 @@ constexpr int most_turns = 10'000;
 constexpr double softest_silicone = 1e3;
 constexpr double stiffest_silicone = 1e8;
 
-// degC; where copper's linear law and the silicone still hold.
-constexpr double coldest = -50.0;
-constexpr double hottest = 200.0;
-
 class MisfitList {
  public:
   void require_positive(double value, const char* name, double unit, const char* unit_name) {
@@ -129,8 +125,9 @@ void check_surroundings(const Design& design, MisfitList& list) {
   list.require_finite(around.coil_limit, "coil temperature limit", "degC");
   list.require_finite(design.magnet.temperature_limit, "magnet temperature limit", "degC");
   list.require_positive(around.heat_transfer, "heat transfer", 1.0, "W/(m2 K)");
-  if (!(around.ambient >= coldest && around.ambient <= hottest))
-    list.add(fmt::format("ambient must lie in {} to {} degC; got {}", coldest, hottest, around.ambient), 1.0);
+  if (!(around.ambient >= coldest_ambient && around.ambient <= hottest_ambient))
+    list.add(fmt::format("ambient must lie in {} to {} degC; got {}", coldest_ambient, hottest_ambient, around.ambient),
+             1.0);
 }
 
 void check_calibration(const Calibration& factors, MisfitList& list) {

@@ -160,6 +160,7 @@ Rule rule_of(const actuator::Parameter& parameter) {
   if (parameter.name == "wire_overall_mm") return wire_overall_mm;
   if (parameter.name == "remanence_T") return design_remanence;
   if (parameter.name == "gravity_m_s2") return Rule::between(0.0, actuator::most_gravity);
+  if (parameter.name == "ambient_degC") return Rule::between(actuator::coldest_ambient, actuator::hottest_ambient);
   if (parameter.key.ends_with("_degC")) return Rule::above(absolute_zero).and_also(Rule::at_most(largest_number));
   switch (parameter.rule) {
     case actuator::ParameterRule::positive:

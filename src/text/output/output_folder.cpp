@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Each costs the system the way through all above it: thousands of them take half a minute, and are a slip.
+constexpr std::size_t most_new_folders = 100;
 constexpr auto preparing = OutputError::Stage::preparing;
 
 fs::path plain_name(std::string_view name) {
@@ -43,6 +45,11 @@ OutputFolder::OutputFolder(fs::path path) : path_(std::move(path)) {
   for (fs::path each = path_; !each.empty() && !fs::exists(fs::symlink_status(each, error));
        each = each.parent_path()) {
     absent.push_back(each);
+    if (absent.size() > most_new_folders)
+      throw OutputError(
+          path_,
+          fmt::format("more than {} folders above it are not there: make them first (mkdir -p)", most_new_folders),
+          preparing);
   }
   std::reverse(absent.begin(), absent.end());
   for (const fs::path& each : absent) {
@@ -85,6 +92,12 @@ void OutputFolder::remove(std::string_view name) {
 
 bool OutputFolder::has(std::string_view name) const {
   return std::find(names_.begin(), names_.end(), name) != names_.end();
+}
+
+std::vector<std::pair<std::string, fs::path>> OutputFolder::written() {
+  std::vector<std::pair<std::string, fs::path>> out;
+  for (std::size_t i = 0; i < files_.size(); ++i) out.emplace_back(names_[i], files_[i].written());
+  return out;
 }
 
 bool OutputFolder::is_unchanged(std::string_view name) {

@@ -268,6 +268,20 @@ TEST(OutputFolder, MakesFoldersAndKeepsThemOnCommit) {
   EXPECT_EQ(content(folder.path() / "a" / "b" / "x.csv"), "x");
 }
 
+// Thousands of folders took half a minute to make and to take away.
+TEST(OutputFolder, RefusesAPathOfManyNewFoldersAndMakesNone) {
+  const TemporaryFolder folder;
+  for (const int depth : {100, 2100}) {
+    fs::path path = folder.path();
+    for (int i = 0; i < depth; ++i) path /= "a";
+    if (depth > 100)
+      EXPECT_THROW(OutputFolder{path}, OutputError);
+    else
+      EXPECT_NO_THROW(OutputFolder{path});
+    EXPECT_FALSE(fs::exists(folder.path() / "a"));
+  }
+}
+
 TEST(OutputFolder, RefusesAPlaceThatCannotBeWrittenBeforeTheWork) {
   const TemporaryFolder folder;
   const auto file = folder.file("plain", "x");

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "coilwright/text/output/folder_lock.hpp"
@@ -34,6 +35,9 @@ class OutputFolder {
   void remove(std::string_view name);
   /// Whether a file of this name was opened so far.
   [[nodiscard]] bool has(std::string_view name) const;
+  /// Each file opened so far, complete, in that order: its name, and the file that has its bytes until commit().
+  /// Nothing may be written to them any more. Throws OutputError (writing).
+  [[nodiscard]] std::vector<std::pair<std::string, std::filesystem::path>> written();
   /// Whether that file is in the folder already, with the content that was written to it; nothing may be written to it
   /// any more. Throws OutputError (writing).
   [[nodiscard]] bool is_unchanged(std::string_view name);

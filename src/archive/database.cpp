@@ -136,8 +136,18 @@ void require_memory(const SQLite::Exception& error) {
     throw std::bad_alloc();
 }
 
+std::string words_of(const fs::path& path, const SQLite::Exception& error) {
+  constexpr std::size_t longest_path = 512;  // bytes, SQLite's own bound, from the root on
+  std::error_code none;
+  const std::size_t length = fs::absolute(path, none).string().size();
+  if (error.getErrorCode() != SQLITE_CANTOPEN || length < longest_path - std::string_view("-journal").size())
+    return error.what();
+  return fmt::format("{} (its path has {} bytes, and SQLite takes some {}: take a shorter one)", error.what(), length,
+                     longest_path);
+}
+
 text::InputError refusal_of(const fs::path& path, const SQLite::Exception& error) {
-  const std::string what = error.what();
+  const std::string what = words_of(path, error);
   switch (error.getErrorCode()) {
     case SQLITE_BUSY:
     case SQLITE_PROTOCOL:

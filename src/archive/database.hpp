@@ -50,6 +50,9 @@ void bring_up_to_date(SQLite::Database& database, const std::vector<Column>& col
 /// Throws std::bad_alloc where SQLite ran out of memory: that says nothing of an archive, and nothing goes on after it.
 void require_memory(const SQLite::Exception& error);
 
+/// What SQLite says of a file, and what it does not: that a path is too long for it.
+[[nodiscard]] std::string words_of(const std::filesystem::path& path, const SQLite::Exception& error);
+
 /// What SQLite says of an archive: a torn one, or what keeps it from being read just now, with the cure.
 [[nodiscard]] text::InputError refusal_of(const std::filesystem::path& path, const SQLite::Exception& error);
 
@@ -71,7 +74,7 @@ auto writing(const std::filesystem::path& path, text::OutputError::Stage stage, 
     return std::forward<Task>(task)();
   } catch (const SQLite::Exception& error) {
     require_memory(error);
-    throw text::OutputError(path, error.what(), stage);
+    throw text::OutputError(path, words_of(path, error), stage);
   }
 }
 

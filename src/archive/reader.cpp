@@ -52,8 +52,9 @@ std::string sql_of(const Query& query) {
   return fmt::format("{}{} LIMIT {} OFFSET {}", conditions, order, most, query.skip);
 }
 
-// A condition may hold a query without an end. SQLite takes some 1e8 steps a second.
-constexpr std::size_t steps = 100'000'000, steps_of_a_design = 10'000, steps_between_looks = 100'000;
+// A condition may hold a query without an end. SQLite takes some 2e7 steps a second; a condition takes tens a design,
+// and one that looks at every other design for each as many as there are.
+constexpr std::size_t steps = 10'000'000, steps_of_a_design = 5'000, steps_between_looks = 100'000;
 
 int spend(void* looks) {
   auto& left = *static_cast<std::size_t*>(looks);

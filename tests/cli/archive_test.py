@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import resource
 import unittest
 
 from archived_runs import forge
@@ -142,6 +143,18 @@ class Archive(ProgramTest):
         self.assertRegex(text, r"\n  mass_g +12\.5  \d+\.\d+\n$")
         told = json.loads(self.archive("replay", "--row", "2", "--json", code=1))
         self.assertEqual((told["same"], [each["name"] for each in told["differences"]]), (False, ["mass_g"]))
+
+    def test_a_condition_without_an_end_is_refused_soon(self):
+        endless = "WITH RECURSIVE c(x) AS (SELECT 1 UNION {} SELECT x + 1 FROM c)"
+        for condition in (f"({endless.format('ALL')} SELECT count(*) FROM c) > 0", f"id IN ({endless.format('')} SELECT x FROM c)",
+                          "EXISTS (SELECT 1 FROM designs a, designs b, designs c, designs d, designs e WHERE a.mass_g + b.mass_g "
+                          "+ c.mass_g + d.mass_g + e.mass_g < 0)"):
+            with self.subTest(condition):
+                before = resource.getrusage(resource.RUSAGE_CHILDREN)
+                self.assert_refused(["archive", "filter", "out", "--where", condition],
+                                    "--where: takes too long, or has no end; a condition is written as mass_g < 60 and status = 'ok'")
+                after = resource.getrusage(resource.RUSAGE_CHILDREN)
+                self.assertLess(after.ru_utime - before.ru_utime, 4)  # s; of ten times as many steps the second took 15
 
     def test_mistakes_are_one_line(self):
         for arguments, message in (

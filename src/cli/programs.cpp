@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -81,7 +82,25 @@ const CommandPlace* place_of(std::string_view command) {
   return found == places.end() ? nullptr : &*found;
 }
 
+namespace {
+
+// Where the system has no memory for a program and its libraries, it ends it by a signal, or its loader does, in words
+// of its own. So it is tried first, where its memory is limited.
+void require_memory_for(std::string_view program) {
+  rlimit addresses{};
+  if (getrlimit(RLIMIT_AS, &addresses) != 0 || addresses.rlim_cur == RLIM_INFINITY) return;
+  try {
+    (void)run_program(program, {"--version"});
+  } catch (const std::exception&) {
+    throw std::runtime_error(fmt::format("out of memory: {} MB (ulimit -v) do not take {} and its libraries",
+                                         addresses.rlim_cur / 1'000'000, file_of(program)));
+  }
+}
+
+}  // namespace
+
 void go_on_in(std::string_view program, std::span<const char* const> arguments) {
+  require_memory_for(program);
   const std::string file = file_of(program);
   std::vector<std::string> words(arguments.begin(), arguments.end());
   execv(file.c_str(), ended_by_null(words).data());

@@ -7,6 +7,7 @@ COILWRIGHT_MEMORY_FAULTS is the number of failures of each command (default 6).
 import os
 import random
 import resource
+import signal
 import subprocess
 import unittest
 
@@ -62,6 +63,24 @@ class Memory(WritingCommands):
                     ends[result.returncode] += 1
         print(f"{ends[1]} runs told of their end, {ends[0]} gave the answer")
         self.assertGreater(ends[1], ends[0])
+
+    def test_a_program_that_memory_does_not_take_is_told_of_in_one_line(self):
+        """Each program needs other amounts. Of a stack for which the system has no address left no program can tell: few."""
+        ends = {0: 0, 1: 0, -signal.SIGSEGV: 0}
+        for name, arguments in COMMANDS.items():
+            for space in range(36 * MB, 50 * MB, 2 * MB if name in ("merge", "diagnose", "size", "report") else 7 * MB):
+                if name in SLOW:
+                    continue
+                with self.subTest(f"{name}: {space // MB} MB"):
+                    self.lay_out()
+                    result = self.start(arguments,
+                                        preexec=lambda bytes=space: resource.setrlimit(resource.RLIMIT_AS, (bytes, bytes)))
+                    self.assertIn(result.returncode, ends, result.stderr)
+                    if result.returncode == 1:
+                        self.assertRegex(result.stderr, r"^coilwright: [^\n]+\n$")
+                    ends[result.returncode] += 1
+        print(f"{ends[1]} runs told of their end, {ends[0]} gave the answer")
+        self.assertLessEqual(ends[-signal.SIGSEGV], ends[1] // 20)
 
     def test_a_run_with_little_memory_ends(self):
         for name in ("diagnose", "size", "pareto", "sweep", "yield --part"):

@@ -1,5 +1,7 @@
 #include "coilwright/archive/recorded_study.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -8,6 +10,8 @@
 #include <utility>
 
 #include "coilwright/sizing/study/assumption_effects.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/one_line.hpp"
 
 namespace coilwright::archive {
 namespace {
@@ -61,6 +65,38 @@ std::vector<std::optional<double>> quantities_of(const Contents& contents, const
     ++k;
   }
   return ordered;
+}
+
+// The first number in which two evaluations differ, by its name: what was recorded, and what came out.
+struct Difference {
+  std::string name, recorded, again;
+};
+
+std::string shown(const std::optional<double>& value) {
+  return value ? fmt::format("{}", *value) : "none";
+}
+
+Difference difference_of(const sizing::Study& study, const sizing::Evaluation& recorded,
+                         const sizing::Evaluation& again) {
+  if (recorded.failure != again.failure)
+    return {"reason", text::in_quotes(recorded.failure), text::in_quotes(again.failure)};
+  const auto in = [](const auto& values, std::size_t i) -> std::optional<double> {
+    return i < values.size() ? std::optional<double>(values[i]) : std::nullopt;
+  };
+  for (std::size_t i = 0; i < study.objectives.size(); ++i)
+    if (in(recorded.objectives, i) != in(again.objectives, i))
+      return {study.objectives[i].quantity.name, shown(in(recorded.objectives, i)), shown(in(again.objectives, i))};
+  for (std::size_t i = 0; i < study.limits.size(); ++i)
+    if (in(recorded.constraints, i) != in(again.constraints, i))
+      return {sizing::name_of(study.limits[i]) + ", relative to its limit", shown(in(recorded.constraints, i)),
+              shown(in(again.constraints, i))};
+  const auto quantity = [](const sizing::Evaluation& of, std::size_t i) {
+    return i < of.quantities.size() ? of.quantities[i] : std::nullopt;
+  };
+  for (std::size_t i = 0; i < study.quantities.size(); ++i)
+    if (quantity(recorded, i) != quantity(again, i))
+      return {study.quantities[i].name, shown(quantity(recorded, i)), shown(quantity(again, i))};
+  return {"infeasibility", shown(recorded.infeasibility), shown(again.infeasibility)};
 }
 
 // What a study makes of a design that another archive knows; nothing where only the design itself can say.
@@ -147,6 +183,30 @@ void RecordedStudy::record(Row row) {
   if (!can_be_recorded(row.evaluation)) return;
   row.ended = unix_time();
   sources_.writer->add(std::move(row));
+}
+
+void RecordedStudy::require_same_again(std::span<const double> point, const std::string& choice) const {
+  const std::vector<Value> values = values_of(problem_.study(), point);
+  const auto require = [&](const Reader& archive, const Row& row, const std::optional<sizing::Evaluation>& said,
+                           const std::string& cure) {
+    const std::optional<sizing::Evaluation> again = evaluated_again(problem_, archive.contents(), row);
+    if (!said || !again || *again == *said) return;
+    const Difference difference = difference_of(problem_.study(), *said, *again);
+    throw text::InputError({.file = archive.path().string(),
+                            .place = fmt::format("row {} of {}", row.id, choice.empty() ? "designs" : "other_choices"),
+                            .rule = fmt::format("the answer rests on this design, and its {} is {} when it is "
+                                                "evaluated again, not as recorded: {}",
+                                                difference.name, difference.again, cure),
+                            .value = difference.recorded});
+  };
+  if (sources_.known)
+    if (const std::optional<Row> row = sources_.known->find(values, choice))
+      return require(*sources_.known, *row, row->evaluation, "--force starts anew");
+  if (!choice.empty()) return;  // which no other archive answers
+  for (const std::shared_ptr<const Reader>& other : sources_.others)
+    if (const auto row = other->find(in_order_of(other->contents(), problem_.study(), values)))
+      require(*other, *row, worked_out(problem_, other->contents(), row->evaluation),
+              "leave out --reuse of its folder");
 }
 
 Counts RecordedStudy::counts() const {

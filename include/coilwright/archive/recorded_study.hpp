@@ -54,6 +54,12 @@ class RecordedStudy {
   [[nodiscard]] sizing::Evaluation evaluate_under(const std::string& choice, const sizing::DesignProblem& other,
                                                   std::span<const double> point);
 
+  /// What an answer rests on is not believed for standing in an archive. Where an archive has answered this design
+  /// (under that modelling choice, by its name; empty: the study's own), it is evaluated again. Throws text::InputError
+  /// naming archive, row, both numbers and the cure where another one comes out; a search may rest on what is recorded,
+  /// an answer not.
+  void require_same_again(std::span<const double> point, const std::string& choice = {}) const;
+
   /// So far. From any thread.
   [[nodiscard]] Counts counts() const;
 

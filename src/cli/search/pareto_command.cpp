@@ -52,6 +52,8 @@ ExitCode run_pareto(const StudyOptions& options, const PartOptions& part_options
     search.stop = interruption.token();
     return sizing::pareto(archive.study().problem(), search);
   }();
+  for (const sizing::Record& design : result.front) archive.study().require_same_again(design.point);
+  if (result.least_infeasible) archive.study().require_same_again(result.least_infeasible->point);
   const std::vector<sizing::BrokenPartLimit> broken =
       sizing::broken_part_limits(problem.study(), sizing::evaluated_again(problem, result.front));
   const std::vector<sizing::Record> records = result.archive.records();

@@ -62,7 +62,9 @@ sizing::AfterSearch after_search(const DesignProblem& problem, const sizing::Sea
            [&](std::size_t done, std::size_t of) {
              choices = done;
              of_choices = of;
-           }});
+           },
+       .stated = [&](const std::string& choice,
+                     std::span<const double> point) { recorded.require_same_again(point, choice); }});
 }
 
 // Where a nameless correction of the actuator is used by the design found; empty without one.

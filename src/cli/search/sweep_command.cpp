@@ -121,6 +121,9 @@ ExitCode run_sweep(const SweepCommandOptions& sweep_options) {
                            summary.consider(design);
                          });
   }();
+  for (const sizing::Leader& leader : summary.leaders().all()) archive.study().require_same_again(leader.design.point);
+  if (request.keep == sizing::Keep::front)
+    for (const sizing::SweptDesign& design : summary.front()) archive.study().require_same_again(design.point);
   std::optional<SweepAnswer> answer;
   if (!is_part) answer.emplace(problem, request, summary);
   if (archive.is_writing())

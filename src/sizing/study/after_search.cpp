@@ -18,6 +18,21 @@ std::vector<DesignResult> all_again(const DesignProblem& problem, const auto& de
   return out;
 }
 
+// The best design, each step from it and the best under each relaxed limit.
+std::vector<std::vector<double>> designs_stated(const DesignProblem& problem, const SearchResult& result) {
+  if (!result.best) return {};
+  std::vector<std::vector<double>> out{result.best->point};
+  const std::vector<Variable> variables = problem.problem().variables;
+  for (const VariableStep& step : result.sensitivity.steps) {
+    const auto moved = std::ranges::find(variables, step.variable, &Variable::name) - variables.begin();
+    out.push_back(result.best->point);
+    out.back()[static_cast<std::size_t>(moved)] = step.to;
+  }
+  for (const BindingConstraint& constraint : result.sensitivity.binding)
+    if (constraint.relaxed_best) out.push_back(constraint.relaxed_best->point);
+  return out;
+}
+
 // Of an answer, what builds make of it that the search has not seen.
 std::optional<Yield> builds_of(const Study& study, const EvaluatedDesign& best, const AfterSearchOptions& options) {
   if (!study.spread) return std::nullopt;
@@ -58,6 +73,8 @@ std::vector<DesignResult> evaluated_again(const DesignProblem& problem, std::spa
 }
 
 AfterSearch after_search(const DesignProblem& problem, const SearchResult& result, const AfterSearchOptions& options) {
+  if (options.stated)
+    for (const std::vector<double>& point : designs_stated(problem, result)) options.stated({}, point);
   AfterSearch out{.base = problem.evaluate_base()};
   out.base_seen = problem.assess(out.base);
   if (result.best) out.best = evaluated_again(problem, result.best->point, result.best->evaluation);
@@ -70,6 +87,11 @@ AfterSearch after_search(const DesignProblem& problem, const SearchResult& resul
   if (options.stop.stop_requested()) return out;
   out.assumptions = assumptions_of(problem, *result.best, options);
   out.assumptions_left -= out.assumptions.size();
+  if (options.stated)
+    for (const AssumptionEffect& effect : out.assumptions) {
+      options.stated(name_of(effect.choice), result.best->point);
+      if (effect.other_best) options.stated(name_of(effect.choice), effect.other_best->point);
+    }
   return out;
 }
 

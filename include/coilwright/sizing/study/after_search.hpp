@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "coilwright/sizing/search/search.hpp"
@@ -48,6 +49,9 @@ struct AfterSearchOptions {
   std::function<void(std::size_t done, std::size_t of)> builds_done{};
   std::function<void(std::size_t done, std::size_t of)> choices_done{};
   ///@}
+  /// Told each design on which the answer rests, by the name of the modelling choice it is under (empty: the study's
+  /// own), before anything is made of it: for who keeps evaluations and must not be believed. May be empty.
+  std::function<void(const std::string& choice, std::span<const double> point)> stated{};
 };
 
 /// All of it. Pure but for the clock of a stop. Throws as evaluated_again().

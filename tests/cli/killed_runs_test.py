@@ -11,11 +11,12 @@ import os
 import random
 import sqlite3
 import statistics
+import struct
 import subprocess
 import time
 import unittest
 
-from archived_runs import ARCHIVE, designs_of, results_of, start, stop_with_designs
+from archived_runs import ARCHIVE, checksum, designs_of, results_of, start, stop_with_designs
 from diagnose_test import PLAN, ROD
 from program import HANGS, PROGRAM, ProgramTest, run
 from study import FRONT, GRID, write_study
@@ -183,6 +184,22 @@ class KilledDiagnoses(ProgramTest):
                     changed[draw.randrange(len(changed))] ^= 1 << draw.randrange(8)
                     database.execute("UPDATE fits SET found = ? WHERE asked = ?", (bytes(changed), asked))
         self.assert_resumed()
+
+    def test_a_number_that_does_not_come_out_again_is_not_answered_from(self):
+        """Whoever changed it made the checksum anew."""
+        while not (self.kill(0.7 * self.duration) and len(self.fits()) > 20):
+            pass
+        with contextlib.closing(sqlite3.connect(self.folder / "killed" / ARCHIVE)) as database, database:
+            for asked, found in self.fits():
+                numbers = [number * (1 + 1e-6) for number in struct.unpack(f"{len(found) // 8}d", found)]
+                changed = struct.pack(f"{len(numbers)}d", *numbers)
+                database.execute("UPDATE fits SET found = ?, checksum = ? WHERE asked = ?", (changed, checksum(asked, changed), asked))
+        result = run("diagnose", "set", "--out", "killed", "--quiet", "--resume", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stdout), (0, self.answer.stdout), result.stderr)
+        self.assertEqual(set(result.stderr.splitlines()), {
+            "coilwright: killed/archive.sqlite: a recorded fit has other numbers when it is evaluated again: it is made anew"})
+        print(f"{len(result.stderr.splitlines())} changed fits were made anew")
+        self.assertEqual(results_of(self.folder / "killed"), results_of(self.folder / "whole"))
 
     def test_other_data_or_another_seed_are_refused_in_a_line(self):
         while not self.kill(0.7 * self.duration):

@@ -87,7 +87,16 @@ FitRecord open_fit_record(const fs::path& folder, const results::Provenance& que
     const archive::KeptFits fits = opened(out.path, asked, is_there);
     out.known_fits = std::make_shared<const measurement::replay::KnownFits>(measurement::replay::KnownFits{
         .recall = [fits](const std::string& fit) { return fits.recall(results::sha256(fit)); },
-        .keep = [fits](const std::string& fit, const std::string& found) { fits.keep(results::sha256(fit), found); }});
+        .keep = [fits](const std::string& fit, const std::string& found) { fits.keep(results::sha256(fit), found); },
+        .differs =
+            [path = out.path] {
+              std::cerr
+                  << fmt::format(
+                         "coilwright: {}: a recorded fit has other numbers when it is evaluated again: it is made anew",
+                         printed(path)) +
+                         '\n'
+                  << std::flush;
+            }});
   } catch (const std::runtime_error& refusal) {
     tell_of(refusal.what());  // a record is no reason to go without an answer
   }

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -125,6 +126,21 @@ Optimum blank(const FitRequest& request, std::span<const ResidualBlock> blocks) 
   return out;
 }
 
+// Whether a fit that was recorded is one of this request: evaluated again where it ended, it has the same numbers.
+// Derivatives that were carried along the way of the fit come out of that way only.
+bool comes_out_again(const FitRequest& request, ResidualBlocks& blocks, Unknowns unknowns, const Optimum& found) {
+  const Derivatives derivatives = request.updates_derivatives           ? Derivatives::none
+                                  : unknowns == Unknowns::local_numbers ? Derivatives::by_local_numbers
+                                                                        : Derivatives::all;
+  if (found.parameters != request.hypothesis->clamped(found.parameters)) return false;
+  const std::optional<ResidualValues> again = blocks.evaluate(found.parameters, derivatives);
+  if (!again || again->predictions != found.values.predictions) return false;
+  return std::ranges::equal(again->blocks, found.values.blocks, [&](const auto& a, const auto& b) {
+    return a.residuals == b.residuals &&
+           (derivatives == Derivatives::none || (a.jacobian == b.jacobian && a.local_jacobian == b.local_jacobian));
+  });
+}
+
 }  // namespace
 
 std::optional<Optimum> recorded_or(const FitRequest& request, ResidualBlocks& blocks, Unknowns unknowns,
@@ -133,21 +149,28 @@ std::optional<Optimum> recorded_or(const FitRequest& request, ResidualBlocks& bl
   if (known == nullptr) return made();
   const std::string asked = question_of(request, blocks.blocks(), unknowns);
   if (const std::optional<std::string> found = known->recall(asked)) {
-    if (found->empty()) return std::nullopt;  // the model cannot be simulated
     Optimum out = blank(request, blocks.blocks());
-    const char* from = found->data();
-    each_list(out, blocks.local_numbers(), [&](std::span<double> list) {
-      if (!list.empty()) std::memcpy(list.data(), from, list.size_bytes());  // of none, its data may be null
-      from += list.size_bytes();
+    ResidualBlocks again(request);
+    std::string_view rest = *found;
+    bool whole = true;
+    each_list(out, again.local_numbers(), [&](std::span<double> list) {
+      whole = whole && rest.size() >= list.size_bytes();
+      if (!whole || list.empty()) return;  // of none, its data may be null
+      std::memcpy(list.data(), rest.data(), list.size_bytes());
+      rest.remove_prefix(list.size_bytes());
     });
-    return out;
+    if (whole && rest.empty() && comes_out_again(request, again, unknowns, out)) {
+      std::ranges::copy(again.local_numbers(), blocks.local_numbers().begin());
+      return out;
+    }
+    if (known->differs) known->differs();
   }
   std::optional<Optimum> optimum = made();
+  if (!optimum) return std::nullopt;  // which is soon found again
   std::string found;
-  if (optimum)
-    each_list(*optimum, blocks.local_numbers(), [&](std::span<double> list) {
-      found.append(reinterpret_cast<const char*>(list.data()), list.size_bytes());
-    });
+  each_list(*optimum, blocks.local_numbers(), [&](std::span<double> list) {
+    found.append(reinterpret_cast<const char*>(list.data()), list.size_bytes());
+  });
   known->keep(asked, found);
   return optimum;
 }

@@ -1,7 +1,11 @@
-// Fits that an earlier run recorded: the same to the last bit, without a simulated run, and only of the same question.
+// Fits that an earlier run recorded: the same to the last bit, not made again, only of the same question, and believed
+// only where they come out again.
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <bit>
+#include <cstdint>
+#include <cstring>
 #include <map>
 #include <memory>
 #include <string>
@@ -21,12 +25,17 @@ class RecordedFit : public ::testing::Test {
     const Hypothesis plain(declared_, {});
     runs_.push_back(replay::prepare_run(run_, declared_, plain.model_at(plain.start())));
     runs_.back().simulations = std::make_shared<std::atomic<long>>();
-    runs_.back().known_fits = std::make_shared<const replay::KnownFits>(replay::KnownFits{
-        .recall = [this](const std::string& asked) -> std::optional<std::string> {
-          const auto found = known_.find(asked);
-          return found == known_.end() ? std::nullopt : std::optional(found->second);
-        },
-        .keep = [this](const std::string& asked, const std::string& found) { known_.insert_or_assign(asked, found); }});
+    runs_.back().known_fits = std::make_shared<const replay::KnownFits>(
+        replay::KnownFits{.recall = [this](const std::string& asked) -> std::optional<std::string> {
+                            const auto found = known_.find(asked);
+                            return found == known_.end() ? std::nullopt : std::optional(found->second);
+                          },
+                          .keep =
+                              [this](const std::string& asked, const std::string& found) {
+                                ++made_;
+                                known_.insert_or_assign(asked, found);
+                              },
+                          .differs = [this] { ++differing_; }});
   }
 
   [[nodiscard]] FitRequest request() const {
@@ -34,25 +43,28 @@ class RecordedFit : public ::testing::Test {
   }
   // Whether a fit is answered from the record.
   bool is_known(const FitRequest& asked) {
-    runs_.front().simulations->store(0);
+    const int before = made_;
     (void)fit(asked);
-    return runs_.front().simulations->load() == 0;
+    return made_ == before;
   }
 
   std::map<std::string, std::string> known_;
+  int made_ = 0, differing_ = 0;
   replay::DeclaredModel declared_ = slide(3.0, 1.0);
   data::Run run_ = slide_run(120, {}, [normal = Normal(5)]() mutable { return noise_sigma * normal(); });
   Hypothesis hypothesis_{declared_, {{.kind = actuator::standard_effects().find("angle_offset"), .values = {0.01}}}};
   std::vector<replay::PreparedRun> runs_;
 };
 
-TEST_F(RecordedFit, IsTheSameToTheLastBitWithoutASimulatedRun) {
+TEST_F(RecordedFit, IsTheSameToTheLastBitForTheSimulationsOfOneStep) {
   const auto made = fit(request());
   ASSERT_TRUE(made);
-  runs_.front().simulations->store(0);
+  const long simulations = runs_.front().simulations->exchange(0);
   const auto recalled = fit(request());
   ASSERT_TRUE(recalled);
-  EXPECT_EQ(runs_.front().simulations->load(), 0);
+  EXPECT_EQ(made_, 1);
+  EXPECT_EQ(differing_, 0);
+  EXPECT_LT(2 * runs_.front().simulations->load(), simulations);
   EXPECT_EQ(recalled->values, made->values);
   EXPECT_EQ(recalled->stacked_residuals, made->stacked_residuals);
   EXPECT_EQ(recalled->jacobian, made->jacobian);
@@ -82,6 +94,36 @@ TEST_F(RecordedFit, IsNoAnswerToAnotherQuestion) {
   other = request();
   other.local_numbers_from = &*before;
   EXPECT_FALSE(is_known(other));
+}
+
+// Whatever number of a record is another one, as in a record that somebody made: it is no answer.
+TEST_F(RecordedFit, IsMadeAnewWhereAnyOfItsNumbersDoesNotComeOutAgain) {
+  const auto made = fit(request());
+  ASSERT_TRUE(made);
+  ASSERT_EQ(known_.size(), 1U);
+  const std::string whole = known_.begin()->second;
+  constexpr std::size_t size = sizeof(double);
+  for (std::size_t at = 0; at < whole.size(); at += size * (1 + whole.size() / size / 60)) {
+    std::string& record = known_.begin()->second = whole;
+    double number = 0;
+    std::memcpy(&number, &record[at], size);
+    number = number == 0 ? 1e-9 : std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) ^ 1U);
+    std::memcpy(&record[at], &number, size);
+    differing_ = 0;
+    const auto again = fit(request());
+    ASSERT_TRUE(again);
+    EXPECT_EQ(differing_, 1) << "number " << at / size << " of " << whole.size() / size;
+    EXPECT_EQ(again->values, made->values);
+    EXPECT_EQ(again->normal_matrix, made->normal_matrix);
+    EXPECT_EQ(record, whole);
+  }
+  for (const std::string& damaged :
+       {std::string(), whole.substr(0, whole.size() - size), whole + std::string(size, 0)}) {
+    known_.begin()->second = damaged;
+    differing_ = 0;
+    EXPECT_FALSE(is_known(request()));
+    EXPECT_EQ(differing_, 1);
+  }
 }
 
 // What a diagnosis changes of its runs between two fits of one hypothesis from one start.

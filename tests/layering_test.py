@@ -49,7 +49,7 @@ ROOMS = {
     "cli/records": "cli/front cli/runs report/systems results/diagnosis",
     "cli/parts": "cli/search cli/records exports",
     "cli/film": "cli/runs formats/data",
-    "cli/page": "cli/model results/page",
+    "cli/page": "cli/model cli/runs results/page",
     "cli/export": "cli exports",
     "cli/programs": "cli",
     "python": "results/diagnosis results/page report/systems",

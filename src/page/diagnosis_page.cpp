@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -250,6 +253,10 @@ Section warnings_section(const Node& diagnosis) {
   return section;
 }
 
+// What a diagnosis may say (docs/formats-diagnosis.md).
+constexpr std::array<std::string_view, 6> verdicts{"no_missing_effect", "declared_numbers_off", "explained",
+                                                   "partly_explained",  "unexplained",          "incomplete"};
+
 // The words of the answer. A diagnosis by an earlier version had none, or no probabilities.
 Node summary_of(const Node& diagnosis) {
   const auto summary = diagnosis.find("summary");
@@ -264,6 +271,8 @@ Node summary_of(const Node& diagnosis) {
 Page diagnosis_page(const std::filesystem::path& folder, const Node& diagnosis, std::string_view made_by) {
   const std::string dataset = member_of(diagnosis, "dataset").text();
   const Node verdict = member_of(diagnosis, "verdict");
+  if (std::ranges::find(verdicts, verdict.text()) == verdicts.end())
+    throw verdict.error(fmt::format("must be one of {}", fmt::join(verdicts, ", ")));
   if (verdict.text() == "incomplete")
     throw verdict.error_without_value(
         "is of a diagnosis that was interrupted: summary.txt has what was known then, and there is a page once it has "

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "coilwright/text/input_text.hpp"
-#include "coilwright/text/json/json.hpp"
+#include "coilwright/text/output/output_folder.hpp"
 
 namespace coilwright::results {
 
@@ -40,7 +40,24 @@ struct Provenance {
 /// change, in their order. A path, the seed, the threads and the version of the program do not enter.
 [[nodiscard]] std::string hash_of(const Provenance& provenance);
 
-/// provenance/1: that, and the version and the commit of the program.
-[[nodiscard]] text::Json to_json(const Provenance& provenance);
+/// Writes provenance.json into a folder whose other files are complete: provenance/1, that, the version and the commit
+/// of the program, of each other file its SHA-256, and one of all this. Throws OutputError (writing).
+void write_provenance(text::OutputFolder& folder, const Provenance& provenance);
+
+/// What the results of a folder are of, by its provenance.json.
+struct Question {
+  std::string sha256{};                 ///< as hash_of()
+  std::optional<std::uint64_t> seed{};  ///< nothing where nothing is drawn
+};
+/// Nothing where the folder has no such file. Throws InputError where it cannot be read.
+[[nodiscard]] std::optional<Question> question_in(const std::filesystem::path& folder);
+
+/// Why nothing tells whether the results of a folder are as they were written: it has no provenance.json, or one by an
+/// earlier version, without digests. Empty where it has them.
+[[nodiscard]] std::string why_unchecked(const std::filesystem::path& folder);
+
+/// Holds the results of a folder against each other: where it has digests, each file that they name must be as it was
+/// written, and each of `present` must be named. Throws InputError naming the first file that is not.
+void require_as_written(const std::filesystem::path& folder, std::span<const std::filesystem::path> present);
 
 }  // namespace coilwright::results

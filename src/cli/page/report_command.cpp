@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <array>
 #include <cstddef>
@@ -14,7 +16,9 @@
 #include "cli/page/commands.hpp"
 #include "cli/page/page_output.hpp"
 #include "cli/report_option.hpp"
+#include "cli/runs/run_files.hpp"
 #include "coilwright/results/page/page_file.hpp"
+#include "coilwright/results/provenance.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -37,6 +41,13 @@ std::vector<std::filesystem::path> results_in(const std::filesystem::path& folde
   return out;
 }
 
+// What lies there under names of results; of seeds.json, which merge puts beside the files of a seed, no page is made.
+std::vector<std::filesystem::path> results_present(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> out = files_of_part_in(folder);
+  std::erase(out, folder / "seeds.json");
+  return out;
+}
+
 void run_report(const ReportCommandOptions& options) {
   const std::filesystem::path folder(options.folder);
   const std::filesystem::path file = options.out ? std::filesystem::path(*options.out) : folder / report_name;
@@ -46,7 +57,9 @@ void run_report(const ReportCommandOptions& options) {
   if (std::filesystem::is_directory(folder, none)) require_writable({file});
   std::optional<text::OutputFolder> figures;
   if (options.figures) how.figures = figures.emplace(*options.figures).path();
-  write_page(results::page_of_folder(folder, options.pictures), file, how);
+  write_page(results::page_of_folder(folder, options.pictures, results_present(folder)), file, how);
+  if (const std::string why = results::why_unchecked(folder); !why.empty())
+    std::cerr << fmt::format("coilwright: {}\n", why);
   if (options.json)
     std::cout << written_json({file}).text();
   else

@@ -46,11 +46,9 @@ void write(const RigOptions& options, const RigActuator& actuator, const RigResu
   folder.write(actuator_name, declared_text(options, actuator, result));
   take_folder(folder, "dataset.json", options.force);
   keep_other_provenance(folder.path(), options.force);
-  folder.write(results::provenance_name,
-               to_json(results::Provenance{.command = "rig " + result.rig,
-                                           .inputs = {results::record_of(options.actuator.file)},
-                                           .changes = options.actuator.assignments})
-                   .text());
+  results::write_provenance(folder, {.command = "rig " + result.rig,
+                                     .inputs = {results::record_of(options.actuator.file)},
+                                     .changes = options.actuator.assignments});
   folder.commit("dataset.json");
 }
 

@@ -115,7 +115,7 @@ void write(const TwinOptions& options, const Experiment& experiment, const std::
   // Neither effects nor seed, by which they could be found.
   const results::Provenance provenance{
       .command = "twin", .inputs = {results::record_of(options.actuator), results::record_of(options.experiment.file)}};
-  folder.write(results::provenance_name, to_json(provenance).text());
+  results::write_provenance(folder, provenance);
   answer.withdraw();
   folder.commit("dataset.json");
   answer.commit();

@@ -59,7 +59,7 @@ ExitCode run_pareto(const StudyOptions& options, const PartOptions& part_options
   const std::vector<sizing::Record> records = result.archive.records();
   archive.write_results([&] {
     formats::write_pareto(folder, study, result, broken);
-    folder.write(results::provenance_name, to_json(input.provenance).text());
+    results::write_provenance(folder, input.provenance);
     remove_other_run(folder, "result.json");
     folder.commit("result.json");
   });

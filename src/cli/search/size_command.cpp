@@ -105,8 +105,8 @@ ExitCode run_size(const StudyOptions& options, const PartOptions& part_options) 
   if (interruption.requested()) result.stop_reason = sizing::StopReason::interrupted;
   const formats::SizeReport answer = formats::size_report(problem, result, after);
   archive.write_results([&] {
-    folder.write(results::provenance_name, to_json(input.provenance).text());
     formats::write_size(folder, problem, answer);
+    results::write_provenance(folder, input.provenance);
     remove_other_run(folder, "result.json");
     folder.commit("result.json");
   });

@@ -54,7 +54,7 @@ void SweepAnswer::write(text::OutputFolder& folder, const results::Provenance& p
   }
   formats::write_leaders(folder.open("best.csv"), study, best_);
   folder.write("result.json", formats::to_json(report()).text());
-  folder.write(results::provenance_name, to_json(provenance).text());
+  results::write_provenance(folder, provenance);
 }
 
 void SweepAnswer::print(bool json) const {

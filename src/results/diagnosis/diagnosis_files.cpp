@@ -125,7 +125,6 @@ void write_diagnosis(const Diagnosis& diagnosis, const AskedDiagnosis& asked, co
       folder.write(name, text);
   };
   folder.write(diagnosis_name, answer.json);
-  folder.write(provenance_name, to_json(asked.provenance).text());
   folder.write(actuator_name, answer.actuator);
   write_or_remove(corrected_name, answer.corrected_actuator);
   if (diagnosis.verdict == measurement::Verdict::incomplete)
@@ -139,6 +138,7 @@ void write_diagnosis(const Diagnosis& diagnosis, const AskedDiagnosis& asked, co
     formats::write_expected_readings(folder.open(expected_name), *diagnosis.next_experiment);
   else
     folder.remove(expected_name);
+  write_provenance(folder, asked.provenance);
   folder.commit(diagnosis_name);
 }
 

@@ -68,20 +68,42 @@ void find_study(const std::filesystem::path& folder, page::PageInputs& inputs) {
   }
 }
 
+// Readers say more than a digest of what they cannot read, but may blame the file beside the one that changed.
+page::Page read_as_written(const std::filesystem::path& folder, const page::PageInputs& inputs,
+                           std::span<const std::filesystem::path> present) {
+  try {
+    page::Page page = page::page_of(folder, inputs);
+    require_as_written(folder, present);
+    return page;
+  } catch (const text::InputError& read) {
+    try {
+      if (std::filesystem::is_directory(folder) && read.fault().file != folder.string())
+        require_as_written(folder, present);
+    } catch (const text::InputError& changed) {
+      if (changed.fault().file != read.fault().file) throw;
+    }
+    throw;
+  }
+}
+
 }  // namespace
 
 std::string made_by() {
   return "coilwright " + version();
 }
 
-page::Page page_of_folder(const std::filesystem::path& folder, std::optional<std::size_t> pictures) {
+page::Page page_of_folder(const std::filesystem::path& folder, std::optional<std::size_t> pictures,
+                          std::span<const std::filesystem::path> present) {
   if (const std::string why = why_no_page(); !why.empty())
     throw text::InputError({.file = folder.string(), .rule = why});
   page::PageInputs inputs{.made_by = made_by()};
   for (const char* of_designs : {"front.csv", "best.csv"})
     if (std::filesystem::is_regular_file(folder / of_designs)) find_study(folder, inputs);
   if (pictures) inputs.most_pictures = *pictures;
-  return page::page_of(folder, inputs);
+  page::Page page = read_as_written(folder, inputs, present);
+  if (const std::string why = why_unchecked(folder); !why.empty())
+    page.cautions.insert(page.cautions.begin(), why + ".");
+  return page;
 }
 
 std::string html_of(const page::Page& page) {

@@ -15,10 +15,12 @@ namespace coilwright::results {
 [[nodiscard]] std::string made_by();
 
 /// The page of a folder of results; a front shows its designs where its provenance.json leads to an unchanged study.
-/// `pictures`: designs of a front that are drawn at most. Throws text::InputError where the folder has no results, or
-/// no page can be made.
+/// `pictures`: designs of a front that are drawn at most; `present`: what lies there under names of results, whatever
+/// wrote it. Throws text::InputError where the folder has no results, no page can be made, or a result is not as it was
+/// written; where nothing tells that, the page says so.
 [[nodiscard]] page::Page page_of_folder(const std::filesystem::path& folder,
-                                        std::optional<std::size_t> pictures = std::nullopt);
+                                        std::optional<std::size_t> pictures = std::nullopt,
+                                        std::span<const std::filesystem::path> present = {});
 
 /// A page as one HTML file, with all that it needs packed in. Throws text::InputError where none can be made.
 [[nodiscard]] std::string html_of(const page::Page& page);

@@ -141,7 +141,7 @@ ExitCode merge_pareto(const MergeOptions& options, const Parts& parts) {
   for (const FoundDesign& each : answer) front.push_back(each.record);
   text::OutputFolder folder(options.out);
   formats::write_front(folder.open("front.csv"), problem.study(), front);
-  folder.write(results::provenance_name, results::to_json(provenance_of_whole(parts.whole)).text());
+  results::write_provenance(folder, provenance_of_whole(parts.whole));
   write_seeds(options, folder, {problem.study(), parts.whole, searches, answer});
   return front.empty() ? ExitCode::infeasible : ExitCode::done;
 }

@@ -44,7 +44,7 @@ ExitCode merge_yield(const MergeOptions& options, const Parts& parts) {
       {.builds = asked.builds, .worth_builds = asked.worth_builds, .seed = parts.whole.seed.value()}, builds);
   text::OutputFolder folder(options.out);
   folder.write("result.json", formats::to_json(yield).text());
-  folder.write(results::provenance_name, to_json(provenance_of_whole(parts.whole)).text());
+  results::write_provenance(folder, provenance_of_whole(parts.whole));
   take_folder(folder, "result.json", options.force);
   folder.commit("result.json");
   std::cout << (options.json ? formats::to_json(yield).text() : report::to_text(yield));

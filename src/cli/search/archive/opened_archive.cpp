@@ -11,6 +11,7 @@
 #include "cli/outputs.hpp"
 #include "cli/runs/archive_contents.hpp"
 #include "coilwright/formats/study/study_file.hpp"
+#include "coilwright/results/provenance.hpp"
 #include "coilwright/text/input_error.hpp"
 
 namespace coilwright::cli {
@@ -27,6 +28,12 @@ void add_row_option(CLI::App& command, std::int64_t& row) {
 
 archive::Reader opened_archive(const std::string& folder) {
   archive::Reader archive(std::filesystem::path(folder) / archive_name);
+  const std::optional<results::Question> question = results::question_in(folder);
+  if (question && (question->sha256 != archive.contents().question || question->seed != archive.contents().seed))
+    throw text::InputError(
+        {.file = archive.path().string(),
+         .rule = fmt::format("is of another run than the results beside it ({}): move one of them away",
+                             results::provenance_name)});
   if (!archive.has_checksums())
     std::cerr << fmt::format(
         "coilwright: {} was written by an earlier version, without checksums: whether a number "

@@ -13,6 +13,14 @@ std::string to_text(const formats::ArchiveCounts& counts) {
   std::string text = fmt::format("{} keep every limit, {} do not, and {} could not be evaluated", counts.ok,
                                  counts.infeasible, counts.failed);
   if (counts.failed > 0) text += fmt::format(" (most often: {})", counts.usual_failure);
+  if (counts.left_out > 0)
+    text += fmt::format("; {} more were not evaluated, because their shape, winding and current break a limit",
+                        counts.left_out);
+  constexpr double few = 0.1;
+  const std::size_t evaluated = counts.ok + counts.infeasible;
+  if (!counts.rarest_limit.empty() && static_cast<double>(counts.ok) < few * static_cast<double>(evaluated))
+    text += fmt::format(". Few keep every limit; fewest keep {}: {} of {}", counts.rarest_limit, counts.keep_rarest,
+                        evaluated);
   return text;
 }
 
@@ -26,9 +34,16 @@ std::string late_gain_text(sizing::StopReason reason, const sizing::Archive& arc
     return " None of the first four fifths of them keeps every limit: more evaluations (--max-evaluations) would find "
            "better.";
   const bool of_front = archive.problem().objectives.size() > 1;
-  if (*gain == 0.0)
-    return of_front ? " The last fifth of them added nothing to the front."
-                    : " The last fifth of them found nothing better.";
+  if (*gain == 0.0 && !of_front) return " The last fifth of them found nothing better.";
+  if (*gain == 0.0) {
+    const std::size_t of_ends = formats::counts_of(archive).of_ends;
+    if (of_ends == 0) return " The last fifth of them added nothing; the front is not known to be complete.";
+    return fmt::format(
+        " {} of them searched for an end of the front alone, and the last fifth added nothing. What another --seed "
+        "would "
+        "find is not known.",
+        of_ends);
+  }
   std::string text =
       of_front ? fmt::format(" The last fifth of them added {} of what the front dominates", percent(*gain, 2))
                : fmt::format(" The last fifth of them bettered the objective by {}", percent(*gain, 2));

@@ -65,7 +65,7 @@ class StudyProvenance(ProgramTest):
         write_study(self, objectives=FRONT)
         self.run_study("pareto")
         front, rows = self.table("out/front.csv"), self.table("out/evaluations.csv")
-        self.assertLessEqual(set(rows[0]) - {"evaluation", "status", "reason"}, set(front[0]))
+        self.assertLessEqual(set(rows[0]) - {"evaluation", "proposed_by", "status", "reason"}, set(front[0]))
         # The same numbers by evaluating the row's design as another command does.
         row = front[len(front) // 2]
         design = [f"--set={name}={row[name]}" for name in ("turns_radial", "wire_gauge_AWG", "gap_mm")]

@@ -61,7 +61,7 @@ class Size(ProgramTest):
         self.size()
         rows, answer = self.table("out/evaluations.csv"), self.result("out/result.json")
         columns = list(rows[0])
-        self.assertEqual(columns[:5], ["turns_radial", "wire_gauge_AWG", "gap_mm", "evaluation", "status"])
+        self.assertEqual(columns[:5], ["turns_radial", "wire_gauge_AWG", "gap_mm", "evaluation", "proposed_by"])
         self.assertIn("peak_bending_speed_deg_s", columns)
         self.assertEqual(columns[-3:], ["mass_max_margin_g", "thermal_load_max_margin", "reason"])
         self.assertEqual(sorted(int(row["evaluation"]) for row in rows), list(range(1, len(rows) + 1)))

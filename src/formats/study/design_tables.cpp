@@ -60,7 +60,8 @@ namespace {
 struct DesignRow {
   std::span<const double> point;
   const Evaluation& evaluation;
-  std::size_t number{};         // its place in the order of evaluation
+  std::size_t number{};  // its place in the order of evaluation
+  std::string_view proposed_by{};
   std::string_view best_for{};  // the objective in which it leads
 };
 
@@ -148,7 +149,10 @@ auto table_of(std::ostream& out, DesignColumns columns) {
 void write_records(std::ostream& out, DesignColumns columns, std::span<const sizing::Record> records) {
   auto write_row = table_of(out, std::move(columns));
   for (const sizing::Record& record : records)
-    write_row({.point = record.point, .evaluation = record.evaluation, .number = record.number});
+    write_row({.point = record.point,
+               .evaluation = record.evaluation,
+               .number = record.number,
+               .proposed_by = record.proposed_by});
 }
 
 }  // namespace
@@ -156,6 +160,7 @@ void write_records(std::ostream& out, DesignColumns columns, std::span<const siz
 void write_evaluations(std::ostream& out, const Study& study, std::span<const sizing::Record> records) {
   DesignColumns columns = variables_of(study);
   columns.push_back({"evaluation", [](const DesignRow& row) { return CsvCell(row.number); }});
+  columns.push_back({"proposed_by", [](const DesignRow& row) { return CsvCell(row.proposed_by); }});
   add_status(columns);
   add_quantities(study, columns);
   // Of a program's own study: objectives that its table of quantities lacks.

@@ -43,18 +43,28 @@ std::string usual_failure(const sizing::Archive& archive) {
 }  // namespace
 
 ArchiveCounts counts_of(const sizing::Archive& archive) {
-  ArchiveCounts counts{.usual_failure = usual_failure(archive)};
+  ArchiveCounts counts{.left_out = archive.excluded(), .usual_failure = usual_failure(archive)};
+  const std::vector<std::string>& limits = archive.problem().constraints;
+  std::vector<std::size_t> kept(limits.size());
   for (const sizing::Record& record : archive.records()) {
+    const std::vector<double>& values = record.evaluation.constraints;
+    for (std::size_t i = 0; i < values.size(); ++i) kept[i] += values[i] <= 0.0 ? 1 : 0;
+    if (record.proposed_by == "end") ++counts.of_ends;
     if (!record.evaluation.failure.empty())
       ++counts.failed;
     else
       ++(sizing::is_feasible(record.evaluation) ? counts.ok : counts.infeasible);
   }
+  if (const auto rarest = std::ranges::min_element(kept); rarest != kept.end()) {
+    counts.rarest_limit = limits[static_cast<std::size_t>(rarest - kept.begin())];
+    counts.keep_rarest = *rarest;
+  }
   return counts;
 }
 
 Json to_json(const ArchiveCounts& counts) {
-  return Json::object({{"ok", counts.ok}, {"infeasible", counts.infeasible}, {"failed", counts.failed}});
+  return Json::object(
+      {{"ok", counts.ok}, {"infeasible", counts.infeasible}, {"failed", counts.failed}, {"left_out", counts.left_out}});
 }
 
 Json to_json(std::span<const sizing::BrokenPartLimit> broken) {

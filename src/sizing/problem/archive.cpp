@@ -21,6 +21,7 @@ struct Slot {
   std::mutex evaluating;
   std::optional<Evaluation> evaluation;
   std::size_t number = 0;
+  std::string_view proposed_by{};
 };
 
 // A caller's point may be rounded: a difference of 1e-6 of a grid step, or of the range, is accepted.
@@ -51,6 +52,8 @@ struct Archive::Storage {
   mutable std::mutex guard;
   std::unordered_map<std::vector<double>, std::unique_ptr<Slot>, PointHash> slots;
   std::size_t evaluated = 0, numbered = 0;
+  std::unordered_map<std::vector<double>, bool, PointHash> excluded;  // by the problem, or not
+  std::size_t excluded_count = 0;
 };
 
 Archive::Archive(Problem problem) : storage_{std::make_unique<Storage>()} {
@@ -110,12 +113,13 @@ void Archive::evaluate_together(std::span<const std::vector<double>> points) {
   }
 }
 
-void Archive::number(std::span<const double> point) {
+void Archive::number(std::span<const double> point, std::string_view proposed_by) {
   const std::vector<double> key = legal_point(storage_->problem.variables, point);
   const std::scoped_lock lock{storage_->guard};
   const auto found = storage_->slots.find(key);
   if (found == storage_->slots.end() || !found->second->evaluation || found->second->number > 0) return;
   found->second->number = ++storage_->numbered;
+  found->second->proposed_by = proposed_by;
 }
 
 std::optional<Evaluation> Archive::find(std::span<const double> point) const {
@@ -123,6 +127,24 @@ std::optional<Evaluation> Archive::find(std::span<const double> point) const {
   const std::scoped_lock lock{storage_->guard};
   const auto found = storage_->slots.find(key);
   return found == storage_->slots.end() ? std::nullopt : found->second->evaluation;
+}
+
+bool Archive::excludes(std::span<const double> point) const {
+  if (!storage_->problem.excluded) return false;
+  const std::vector<double> key = legal_point(storage_->problem.variables, point);
+  {
+    const std::scoped_lock lock{storage_->guard};
+    if (const auto found = storage_->excluded.find(key); found != storage_->excluded.end()) return found->second;
+  }
+  const bool excluded = storage_->problem.excluded(key);
+  const std::scoped_lock lock{storage_->guard};
+  if (storage_->excluded.emplace(key, excluded).second && excluded) ++storage_->excluded_count;
+  return excluded;
+}
+
+std::size_t Archive::excluded() const {
+  const std::scoped_lock lock{storage_->guard};
+  return storage_->excluded_count;
 }
 
 std::size_t Archive::size() const {
@@ -137,7 +159,10 @@ std::vector<Record> Archive::records() const {
     result.reserve(storage_->evaluated);
     for (const auto& [point, slot] : storage_->slots) {
       if (slot->evaluation) {
-        result.push_back({.point = point, .evaluation = *slot->evaluation, .number = slot->number});
+        result.push_back({.point = point,
+                          .evaluation = *slot->evaluation,
+                          .number = slot->number,
+                          .proposed_by = slot->proposed_by});
       }
     }
   }

@@ -49,7 +49,8 @@ void Workers::run(std::size_t count, const std::function<void(std::size_t)>& tas
 }
 
 std::vector<Record> Workers::evaluate(Archive& archive, const std::vector<std::vector<double>>& points,
-                                      const std::stop_token& stop) {
+                                      const std::stop_token& stop,
+                                      const std::function<std::string_view(std::size_t i)>& proposed_by) {
   if (archive.problem().evaluate_together && !stop.stop_requested()) archive.evaluate_together(points);
   std::vector<std::optional<Evaluation>> evaluations(points.size());
   run(points.size(), [&](std::size_t i) {
@@ -58,7 +59,7 @@ std::vector<Record> Workers::evaluate(Archive& archive, const std::vector<std::v
   std::vector<Record> records;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!evaluations[i]) continue;
-    archive.number(points[i]);
+    archive.number(points[i], proposed_by ? proposed_by(i) : std::string_view());
     records.push_back({.point = points[i], .evaluation = std::move(*evaluations[i])});
   }
   return records;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <stop_token>
+#include <string_view>
 #include <vector>
 
 #include "coilwright/sizing/problem/archive.hpp"
@@ -24,9 +25,10 @@ class Workers {
   void run(std::size_t count, const std::function<void(std::size_t)>& task);
 
   /// Evaluates designs into `archive`, numbers them and returns their records, both in the given order. After a request
-  /// to stop it leaves out the designs that are not begun.
+  /// to stop it leaves out the designs that are not begun. `proposed_by` says what proposed design i; empty: nothing.
   [[nodiscard]] std::vector<Record> evaluate(Archive& archive, const std::vector<std::vector<double>>& points,
-                                             const std::stop_token& stop);
+                                             const std::stop_token& stop,
+                                             const std::function<std::string_view(std::size_t i)>& proposed_by = {});
 
  private:
   struct Arena;

@@ -10,6 +10,9 @@ namespace {
 
 // Attempts in a row that meet known designs, after which a call gives up.
 constexpr int max_attempts = 64;
+// Designs in a row that the problem excludes, after which one of them is proposed: enough to meet a two hundredth of
+// the space.
+constexpr int max_exclusions = 1024;
 
 }  // namespace
 
@@ -25,7 +28,9 @@ std::uint64_t Explorer::below(std::uint64_t count) {
 }
 
 std::optional<UnitPoint> Explorer::sobol_point(const Samples& samples) {
-  for (int attempt = 0; attempt < max_attempts; ++attempt) {
+  std::optional<UnitPoint> excluded;
+  int known = 0;
+  for (int attempt = 0; attempt < max_exclusions && known < max_attempts; ++attempt) {
     std::vector<double> unit(space_.dimension());
     for (std::size_t axis = 0; axis < unit.size(); ++axis) {
       const double shifted = static_cast<double>((*sobol_)()) * 0x1p-64 + shift_[axis];
@@ -36,9 +41,16 @@ std::optional<UnitPoint> Explorer::sobol_point(const Samples& samples) {
     }
     unit = space_.snapped(unit);
     const std::uint64_t combination = sobol_points_++ % space_.combinations();
-    if (!samples.knows(unit, combination)) return UnitPoint{.unit = std::move(unit), .combination = combination};
+    if (samples.knows(unit, combination)) {
+      ++known;
+      continue;
+    }
+    const bool usable = !samples.excludes(unit, combination);
+    UnitPoint point{.unit = std::move(unit), .combination = combination};
+    if (usable) return point;
+    if (!excluded) excluded = std::move(point);
   }
-  return std::nullopt;
+  return excluded;
 }
 
 UnitPoint Explorer::recombined(const Samples& samples, const std::vector<std::size_t>& parents) {
@@ -89,7 +101,7 @@ std::optional<Explorer::Probe> Explorer::probe(const Samples& samples, const std
     Probe made{.point = {.unit = base.unit, .combination = base.combination}, .axis = drawn_axis()};
     made.point.unit[made.axis] = uniform(random_);
     made.point.unit = space_.snapped(made.point.unit);
-    if (!samples.knows(made.point.unit, made.point.combination)) return made;
+    if (!samples.rules_out(made.point.unit, made.point.combination)) return made;
   }
   return std::nullopt;
 }
@@ -102,7 +114,7 @@ void Explorer::count_probe(std::size_t axis, bool promising) {
 std::optional<UnitPoint> Explorer::evolved_point(const Samples& samples, const std::vector<std::size_t>& parents) {
   for (int attempt = 0; attempt < max_attempts && !parents.empty(); ++attempt) {
     UnitPoint child = recombined(samples, parents);
-    if (!samples.knows(child.unit, child.combination)) return child;
+    if (!samples.rules_out(child.unit, child.combination)) return child;
   }
   return std::nullopt;
 }
@@ -118,7 +130,7 @@ std::optional<UnitPoint> Explorer::next_of_grid(const Samples& samples) {
       rest /= levels;
     }
     next.unit = space_.snapped(next.unit);
-    if (samples.knows(next.unit, next.combination)) continue;
+    if (samples.rules_out(next.unit, next.combination)) continue;
     ++grid_points_;
     return next;
   }

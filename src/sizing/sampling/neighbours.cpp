@@ -7,7 +7,8 @@ std::vector<UnitPoint> unknown_neighbours(const Samples& samples, std::size_t in
   const Sample& centre = samples[index];
   std::vector<UnitPoint> neighbours;
   const auto consider = [&](std::vector<double> unit, std::uint64_t combination) {
-    if (!samples.knows(unit, combination)) neighbours.push_back({.unit = std::move(unit), .combination = combination});
+    if (!samples.rules_out(unit, combination))
+      neighbours.push_back({.unit = std::move(unit), .combination = combination});
   };
   for (std::size_t axis = 0; axis < space.dimension(); ++axis) {
     const double spacing = space.spacing(axis);

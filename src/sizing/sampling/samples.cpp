@@ -32,15 +32,38 @@ double largest_difference(std::span<const double> a, std::span<const double> b) 
   return largest;
 }
 
-Samples::Samples(const Problem& problem, std::vector<double> limits)
+Samples::Samples(const Problem& problem, std::vector<double> limits, const Archive* archive)
     : problem_{problem},
+      archive_{archive},
       limits_{std::move(limits)},
       objective_count_{problem.objectives.size()},
       space_{problem.variables},
       bounds_{objective_count_} {}
 
+Samples::Samples(const Samples& all, std::size_t objective)
+    : problem_{all.problem_},
+      archive_{all.archive_},
+      only_{objective},
+      limits_{all.limits_},
+      objective_count_{1},
+      space_{all.problem_.variables},
+      bounds_{1} {
+  for (Sample sample : all.samples_) {
+    if (sample.evaluated) sample.values = {sample.values[objective]};
+    add(std::move(sample));
+  }
+}
+
 bool Samples::knows(std::span<const double> unit, std::uint64_t combination) const {
   return known_.contains(space_.point(unit, combination));
+}
+
+bool Samples::excludes(std::span<const double> unit, std::uint64_t combination) const {
+  return archive_ != nullptr && archive_->excludes(space_.point(unit, combination));
+}
+
+bool Samples::rules_out(std::span<const double> unit, std::uint64_t combination) const {
+  return knows(unit, combination) || (excluding_ && excludes(unit, combination));
 }
 
 Sample Samples::as_sample(const Record& record) const {
@@ -56,12 +79,18 @@ Sample Samples::as_sample(const Record& record) const {
     sample.constraints[i] -= limits_[i];
     sample.violation += std::max(sample.constraints[i], 0.0);
   }
+  if (only_ && sample.evaluated) sample.values = {sample.values[*only_]};
   return sample;
 }
 
 double Samples::add(const Record& record) {
-  if (!known_.insert(record.point).second) return 0;
-  samples_.push_back(as_sample(record));
+  return add(as_sample(record));
+}
+
+double Samples::add(Sample sample) {
+  if (!known_.insert(sample.point).second) return 0;
+  excluding_ = excluding_ || (archive_ != nullptr && sample.evaluated && !archive_->excludes(sample.point));
+  samples_.push_back(std::move(sample));
   if (!samples_.back().feasible()) return 0;
   ++feasible_count_;
   const Objectives& values = samples_.back().values;

@@ -33,8 +33,12 @@ struct Sample {
 /// threads.
 class Samples {
  public:
-  /// `limits` is what each constraint may reach: 0, unless it is relaxed.
-  Samples(const Problem& problem, std::vector<double> limits);
+  /// `limits` is what each constraint may reach: 0, unless it is relaxed. `archive`, which must outlive it, tells of
+  /// designs that the problem excludes; without one none is.
+  Samples(const Problem& problem, std::vector<double> limits, const Archive* archive = nullptr);
+
+  /// All that `all` knows, with the objective of this index alone: an end of its front is the best design here.
+  Samples(const Samples& all, std::size_t objective);
 
   /// Learns one design. Returns its gain for the front: the largest product of its normalised distances below a former
   /// upper bound, which is the gained hypervolume where that is one box; 0 if it is known, infeasible or dominated.
@@ -63,6 +67,13 @@ class Samples {
   /// Whether the design at legal unit coordinates is known.
   [[nodiscard]] bool knows(std::span<const double> unit, std::uint64_t combination) const;
 
+  /// Whether the problem excludes the design at legal unit coordinates before it is evaluated.
+  [[nodiscard]] bool excludes(std::span<const double> unit, std::uint64_t combination) const;
+
+  /// Whether there is a reason not to evaluate it: it is known or, once a design is known that is not excluded, it is
+  /// excluded. Until then an excluded design teaches where the others are.
+  [[nodiscard]] bool rules_out(std::span<const double> unit, std::uint64_t combination) const;
+
   /// Which samples to select.
   enum class Wanted { evaluated, failed };
   /// Samples around the segment from `a` to `b`.
@@ -78,9 +89,13 @@ class Samples {
   [[nodiscard]] std::vector<std::size_t> nearest(const Neighbourhood& where, Wanted wanted) const;
 
  private:
+  double add(Sample sample);
   void update_front(std::size_t added);
 
   Problem problem_;
+  const Archive* archive_{};
+  bool excluding_ = false;             // a design is known that is not excluded
+  std::optional<std::size_t> only_{};  // objective; empty: all of the problem
   std::vector<double> limits_;
   std::size_t objective_count_;
   DesignSpace space_;

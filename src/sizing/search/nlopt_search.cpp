@@ -119,7 +119,7 @@ void NloptSearch::round(const std::vector<std::pair<double, std::size_t>>& start
   });
   for (const std::vector<Record>& records : found) {
     for (const Record& record : records) {
-      context_.archive.number(record.point);
+      context_.archive.number(record.point, name_of(context_.options.algorithm));
       samples_.add(record);
     }
   }

@@ -14,11 +14,12 @@ SearchRun run_search(const Problem& problem, const SearchOptions& options) {
   if (options.max_evaluations == 0) throw std::invalid_argument("max_evaluations: must be >= 1; got 0");
   Archive archive{problem};
   Workers workers{options.threads};
-  Samples samples{problem, std::vector<double>(problem.constraints.size(), 0.0)};
+  Samples samples{problem, std::vector<double>(problem.constraints.size(), 0.0), &archive};
   const DesignSpace& space = samples.space();
   if (!problem.start.empty()) {
     const std::vector<std::vector<double>> first{nearest_legal_point(problem.variables, problem.start)};
-    for (const Record& record : workers.evaluate(archive, first, options.stop)) samples.add(record);
+    for (const Record& record : workers.evaluate(archive, first, options.stop, [](std::size_t) { return "start"; }))
+      samples.add(record);
   }
   const SearchContext context{.archive = archive,
                               .samples = samples,

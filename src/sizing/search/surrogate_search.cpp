@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <random>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,11 +29,17 @@ constexpr std::size_t designs_enumerated_together = 1024;
 // Where the budget covers every design, so many are found by models before the others are listed: whoever interrupts a
 // long list then has what a search of that length finds, and not the best of a corner of the grid.
 constexpr std::size_t searched_before_a_list = 1024;
+// The search of an end of a front is over after so many designs for each variable without a gain of this part of what
+// it has gained in all.
+constexpr std::size_t patience_per_variable = 16;
+constexpr double least_gain = 1e-3;
 
 class SurrogateSearch {
  public:
-  explicit SurrogateSearch(const SearchContext& context)
+  /// `patience`: so many designs without a gain end the search of an end of a front; nothing: any other search.
+  explicit SurrogateSearch(const SearchContext& context, std::optional<std::size_t> patience = std::nullopt)
       : context_{context},
+        patience_{patience},
         samples_{context.samples},
         space_{samples_.space()},
         random_{context.options.seed ^ 0x5DEECE66DULL},
@@ -44,10 +53,18 @@ class SurrogateSearch {
     return samples_.objective_count() == 1 ? round_of_one_objective : largest_round;
   }
   [[nodiscard]] std::size_t left() const { return context_.budget - made_; }
+  [[nodiscard]] bool is_of_end() const { return patience_.has_value(); }
   [[nodiscard]] bool stopped() const { return context_.options.stop.stop_requested(); }
-  [[nodiscard]] bool goes_on() const { return left() > 0 && !stopped() && !exploration_.exhausted(); }
+  [[nodiscard]] bool goes_on() const {
+    return left() > 0 && !stopped() && !exploration_.exhausted() && !(patience_ && made_ - gained_at_ >= *patience_);
+  }
+  [[nodiscard]] bool has_ends_to_search() const;
+  [[nodiscard]] std::string_view proposer(ProposalSource source) const;
   void evaluate(const ProposalBatch& batch);
   void enumerate();
+  void search_ends();
+  void search_rounds();
+  void look_for_gain();
   void evaluate_initial_designs();
   void round();
   void round_of_models(const std::vector<SubproblemTask>& tasks);
@@ -57,6 +74,7 @@ class SurrogateSearch {
   [[nodiscard]] std::vector<UnitPoint> neighbours_of_best(const std::vector<SubproblemTask>& tasks) const;
 
   const SearchContext& context_;
+  std::optional<std::size_t> patience_;
   Samples& samples_;
   const DesignSpace& space_;
   std::mt19937_64 random_;
@@ -65,8 +83,30 @@ class SurrogateSearch {
   SourceGains gains_;
   std::size_t known_before_ = context_.archive.size();
   std::size_t made_ = 0;
+  std::size_t gained_at_ = 0;      // designs made when the best one last improved
+  std::optional<double> first_{};  // best value when one was first known
+  double best_ = std::numeric_limits<double>::infinity();
   std::size_t rounds_ = 0;
 };
+
+// The words of evaluations.csv.
+std::string_view SurrogateSearch::proposer(ProposalSource source) const {
+  if (is_of_end()) return "end";
+  switch (source) {
+    case ProposalSource::gap:
+      return "gap";
+    case ProposalSource::anchor:
+      if (samples_.feasible_count() == 0) return "feasibility";
+      return samples_.objective_count() > 1 ? "end" : "model";
+    case ProposalSource::niche:
+      return "level";
+    case ProposalSource::evolution:
+      return "evolution";
+    case ProposalSource::sobol:
+      return "spread";
+  }
+  return {};
+}
 
 void SurrogateSearch::evaluate(const ProposalBatch& batch) {
   const std::vector<Proposal>& proposals = batch.proposals();
@@ -74,7 +114,8 @@ void SurrogateSearch::evaluate(const ProposalBatch& batch) {
   for (std::size_t i = 0; i < std::min(proposals.size(), left()); ++i) {
     points.push_back(space_.point(proposals[i].point.unit, proposals[i].point.combination));
   }
-  const std::vector<Record> records = context_.workers.evaluate(context_.archive, points, context_.options.stop);
+  const std::vector<Record> records = context_.workers.evaluate(
+      context_.archive, points, context_.options.stop, [&](std::size_t i) { return proposer(proposals[i].source); });
   std::vector<double> gains;
   for (const Record& record : records) gains.push_back(samples_.add(record));
   for (std::size_t i = 0; i < records.size(); ++i) exploration_.learn(proposals[i], samples_.as_sample(records[i]));
@@ -191,7 +232,7 @@ void SurrogateSearch::round_on_problem(const std::vector<SubproblemTask>& tasks,
   }
   for (const std::vector<Record>& records : found) {
     for (const Record& record : records) {
-      context_.archive.number(record.point);
+      context_.archive.number(record.point, is_of_end() ? "end" : name_of(algorithm));
       samples_.add(record);
     }
   }
@@ -201,6 +242,51 @@ void SurrogateSearch::round_on_problem(const std::vector<SubproblemTask>& tasks,
     evaluate(exploration_.filled(ProposalBatch{space_}, size, gains_.evolution_share()));
   }
   ++rounds_;
+}
+
+// Whether the best design, of one objective, has improved by what can be seen.
+void SurrogateSearch::look_for_gain() {
+  if (samples_.objective_count() > 1 || samples_.front().empty()) return;
+  const double best = samples_[samples_.front().front()].values.front();
+  if (!first_) first_ = best;
+  if (best_ - best <= least_gain * (*first_ - best)) return;
+  best_ = best;
+  gained_at_ = made_;
+}
+
+// Without limits any step from an end of the front is a design, and the anchors of the rounds reach the ends.
+bool SurrogateSearch::has_ends_to_search() const {
+  return samples_.objective_count() > 1 && samples_.constraint_count() > 0 &&
+         context_.options.algorithm == Algorithm::automatic;
+}
+
+// Each end of a front is the answer of a search for that objective alone. Steps towards gaps of the front do not reach
+// it where limits couple variables: the front then is a point in a thin set, and its gaps are as small as itself.
+void SurrogateSearch::search_ends() {
+  const std::size_t objectives = samples_.objective_count();
+  for (std::size_t objective = 0; objective < objectives && goes_on(); ++objective) {
+    Samples alone{samples_, objective};
+    const std::size_t known = alone.size();
+    SearchOptions options = context_.options;
+    options.seed += objective + 1;  // other designs than those of the front and of the other ends
+    const SearchContext context{.archive = context_.archive,
+                                .samples = alone,
+                                .workers = context_.workers,
+                                .options = options,
+                                .budget = std::min(left(), context_.budget / (objectives + 1))};
+    SurrogateSearch{context, patience_per_variable * context_.samples.space().dimension()}.search_rounds();
+    for (std::size_t i = known; i < alone.size(); ++i)
+      samples_.add({.point = alone[i].point, .evaluation = *context_.archive.find(alone[i].point)});
+    made_ = context_.archive.size() - known_before_;
+  }
+}
+
+void SurrogateSearch::search_rounds() {
+  evaluate_initial_designs();
+  while (goes_on()) {
+    round();
+    look_for_gain();
+  }
 }
 
 void SurrogateSearch::enumerate() {
@@ -216,6 +302,7 @@ StopReason SurrogateSearch::run() {
   const bool lists_all = designs > 0 && designs <= context_.budget + samples_.size();
   if (!lists_all || designs > searched_before_a_list) {
     evaluate_initial_designs();
+    if (has_ends_to_search() && !lists_all) search_ends();
     while (goes_on() && (!lists_all || made_ < searched_before_a_list)) round();
   }
   if (lists_all) enumerate();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -12,20 +13,28 @@
 #include "coilwright/units/unit.hpp"
 #include "sizing/problem/design_space.hpp"
 #include "sizing/study/base_current.hpp"
+#include "sizing/study/early_limits.hpp"
 #include "sizing/study/evaluate_design.hpp"
 
 namespace coilwright::sizing {
 namespace {
+
+// The current of a design, as far as it is known before it is assembled: `varied` where a variable sets it, NaN where
+// the assembly decides.
+double current_before(const Study& study, const actuator::Design& design, double varied) {
+  if (const auto* fixed = std::get_if<FixedCurrent>(&study.current)) return fixed->current;
+  if (const auto* share = std::get_if<ShareOfLimit>(&study.current))
+    return share->share * actuator::operating_current_limit(design);
+  if (std::holds_alternative<DrivenCurrent>(study.current)) return std::numeric_limits<double>::quiet_NaN();
+  return varied;
+}
 
 // The study's operating point for a design whose current no variable sets; `otherwise` where one does.
 actuator::OperatingPoint operating_of(const Study& study, const actuator::Design& design,
                                       const actuator::Assembly& assembly, const simulation::Settings& settings,
                                       double otherwise) {
   actuator::OperatingPoint point = study.operating;
-  point.current = otherwise;
-  if (const auto* fixed = std::get_if<FixedCurrent>(&study.current)) point.current = fixed->current;
-  if (const auto* share = std::get_if<ShareOfLimit>(&study.current))
-    point.current = share->share * actuator::operating_current_limit(design);
+  point.current = current_before(study, design, otherwise);
   if (const auto* driven = std::get_if<DrivenCurrent>(&study.current)) {
     const DrivenCurrent::Drive drive = driven->drive(assembly, settings);
     point.current = drive.current;
@@ -201,6 +210,13 @@ Problem DesignProblem::problem() const {
   problem.evaluate = [design_problem = *this](std::span<const double> point) {
     return design_problem.assess(design_problem.evaluate(point));
   };
+  if (BreaksEarlyLimit breaks = early_limits(study())) {
+    problem.excluded = [design_problem = *this, breaks = std::move(breaks)](std::span<const double> point) {
+      const actuator::Design design = design_problem.design_at(point);
+      return breaks(design, current_before(design_problem.study(), design,
+                                           varied_current(design_problem.study(), point).value_or(0.0)));
+    };
+  }
   for (const StudyVariable& variable : study().variables)
     problem.start.push_back(std::visit(CoordinateOfBase{study().base}, variable));
   return problem;

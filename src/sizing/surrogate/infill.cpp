@@ -191,7 +191,7 @@ std::vector<UnitPoint> interpolated(const Samples& samples, const Goal& goal, co
   const double fraction = std::clamp(length > 0 ? along / length : 0.5, 0.1, 0.9);
   const Eigen::VectorXd between = as_vector(from.unit) + fraction * (as_vector(to.unit) - as_vector(from.unit));
   UnitPoint point{.unit = samples.space().snapped(as_std(between)), .combination = from.combination};
-  if (std::sqrt(nearest) < same_design || samples.knows(point.unit, point.combination)) return {};
+  if (std::sqrt(nearest) < same_design || samples.rules_out(point.unit, point.combination)) return {};
   return {std::move(point)};
 }
 
@@ -227,7 +227,7 @@ std::vector<UnitPoint> infill(const Samples& samples, const Goal& goal, const Re
   std::vector<UnitPoint> result;
   for (RankedPoint& entry : ranked) {
     if (entry.merit >= bound || result.size() == 3) break;
-    if (samples.knows(entry.unit, combination) || near_known(samples, model.nodes(), entry.unit)) continue;
+    if (samples.rules_out(entry.unit, combination) || near_known(samples, model.nodes(), entry.unit)) continue;
     result.push_back({.unit = std::move(entry.unit), .combination = combination});
   }
   return result;
@@ -244,9 +244,12 @@ std::vector<UnitPoint> least_surprising_neighbours(const Samples& samples, const
   for (Point& point : unknown_of(grid_neighbours(space, samples[index].unit), samples, combination))
     ranked.push_back({.merit = model.required_error(as_vector(point)), .unit = std::move(point)});
   std::ranges::stable_sort(ranked, {}, &RankedPoint::merit);
-  ranked.resize(std::min(ranked.size(), count));
   std::vector<UnitPoint> result;
-  for (RankedPoint& entry : ranked) result.push_back({.unit = std::move(entry.unit), .combination = combination});
+  for (RankedPoint& entry : ranked) {
+    if (result.size() == count) break;
+    if (samples.rules_out(entry.unit, combination)) continue;
+    result.push_back({.unit = std::move(entry.unit), .combination = combination});
+  }
   return result;
 }
 

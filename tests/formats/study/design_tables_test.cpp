@@ -23,6 +23,7 @@ TEST(EvaluationTable, HasOrderQuantitiesMarginsAndReasonInUnits) {
                                  standard_quantities().at("voltage_V")});
   std::vector<Record> made = records;
   made[0].number = 3;
+  made[0].proposed_by = "end";
   made[0].evaluation.quantities = {62.5, 0.4, std::nullopt};
   made[1].number = 1;
   made[1].evaluation.quantities = {80.0, 0.8, 6.5};
@@ -30,11 +31,11 @@ TEST(EvaluationTable, HasOrderQuantitiesMarginsAndReasonInUnits) {
   std::ostringstream out;
   write_evaluations(out, asked, made);
   EXPECT_EQ(out.str(),
-            "configuration,current_A,wire_gauge_AWG,evaluation,status,mass_g,voltage_V,grasp_force_N,mass_max_margin_g,"
-            "coil_temperature_max_margin_K,damping_ratio_min_margin,reason\n"
-            "D,0.4,30,3,ok,62.5,,1.25,4,64,0,\n"
-            "A,0.8,26,1,infeasible,80,6.5,2.5,-16,32,0.25,\n"
-            "A,1.2,26,2,failed,,,,,,,\"too hot, \"\"really\"\"\"\n");
+            "configuration,current_A,wire_gauge_AWG,evaluation,proposed_by,status,mass_g,voltage_V,grasp_force_N,"
+            "mass_max_margin_g,coil_temperature_max_margin_K,damping_ratio_min_margin,reason\n"
+            "D,0.4,30,3,end,ok,62.5,,1.25,4,64,0,\n"
+            "A,0.8,26,1,,infeasible,80,6.5,2.5,-16,32,0.25,\n"
+            "A,1.2,26,2,,failed,,,,,,,\"too hot, \"\"really\"\"\"\n");
 }
 
 // A unit that the table of units lacks stands whole at the end of the margin's name: not "N_max_margin_g".

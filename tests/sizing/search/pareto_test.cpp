@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 
 #include "sizing/expect_error.hpp"
@@ -200,6 +201,78 @@ TEST(Pareto, RejectsProblemsAndBudgetsItCannotTake) {
   problem.objectives.pop_back();
   expect_error<std::invalid_argument>([&] { (void)pareto(problem, {}); },
                                       "objectives: must be two or three for a front; got 1");
+}
+
+// Three whole numbers whose product must stay within 1 % of 60,000: no single step of one keeps the limits, and 0.6 %
+// of all designs do. The front is enumerated.
+Problem thin_set() {
+  const auto whole = [](const char* name, double upper) {
+    return Variable{.name = name, .kind = VariableKind::integer, .lower = 5, .upper = upper, .step = 0};
+  };
+  return {.variables = {whole("a", 80), whole("b", 80), whole("c", 80)},
+          .objectives = {{.name = "f"}, {.name = "g"}},
+          .constraints = {"product at most", "product at least"},
+          .evaluate = [](std::span<const double> x) {
+            const double product = x[0] * x[1] * x[2] / 60000.0;
+            return Evaluation{.objectives = {x[0] + 0.3 * x[1], x[2] + 0.2 * x[1] + 0.001 * x[0]},
+                              .constraints = {product - 1.01, 0.99 - product}};
+          }};
+}
+
+TEST(Pareto, ReachesTheEndsOfAFrontInAThinSet) {
+  const Problem problem = thin_set();
+  double f = 1e9, g = 1e9;
+  for (double a = 5; a <= 80; ++a)
+    for (double b = 5; b <= 80; ++b)
+      for (double c = 5; c <= 80; ++c) {
+        const Evaluation evaluation = problem.evaluate(std::vector{a, b, c});
+        if (!is_feasible(evaluation)) continue;
+        f = std::min(f, evaluation.objectives[0]);
+        g = std::min(g, evaluation.objectives[1]);
+      }
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const ParetoResult result = pareto(problem, {.max_evaluations = 800, .seed = seed});
+    ASSERT_FALSE(result.front.empty());
+    EXPECT_LE(result.front.front().evaluation.objectives[0], 1.01 * f) << seed;
+    EXPECT_LE(result.front.back().evaluation.objectives[1], 1.01 * g) << seed;
+  }
+}
+
+TEST(Pareto, SaysWhatProposedEachDesign) {
+  const ParetoResult result = pareto(thin_set(), {.max_evaluations = 400});
+  std::set<std::string_view> words;
+  for (const Record& record : result.archive.records()) words.insert(record.proposed_by);
+  EXPECT_TRUE(words.contains("end"));
+  EXPECT_TRUE(words.contains("spread"));
+  EXPECT_FALSE(words.contains(""));
+}
+
+// What a problem excludes is never evaluated once a design is known that it does not exclude, and is counted.
+TEST(Pareto, EvaluatesNoExcludedDesign) {
+  Problem problem = thin_set();
+  std::atomic<std::size_t> wrong = 0;
+  problem.excluded = [](std::span<const double> x) { return std::abs(x[0] * x[1] * x[2] / 60000.0 - 1.0) > 0.05; };
+  problem.evaluate = [&wrong, evaluate = problem.evaluate, excluded = problem.excluded](std::span<const double> x) {
+    if (excluded(x)) ++wrong;
+    return evaluate(x);
+  };
+  const ParetoResult result = pareto(problem, {.max_evaluations = 400});
+  EXPECT_EQ(wrong, 0u);
+  EXPECT_EQ(result.evaluations, 400u);
+  EXPECT_GT(result.archive.excluded(), 400u);
+}
+
+// Where all are excluded, the answer is still the nearest design.
+TEST(Pareto, FindsTheLeastInfeasibleDesignWhereAllAreExcluded) {
+  Problem problem = thin_set();
+  problem.evaluate = [](std::span<const double> x) {
+    return Evaluation{.objectives = {x[0], x[1]}, .constraints = {0.1 + x[2] / 80.0, -1.0}};
+  };
+  problem.excluded = [](std::span<const double>) { return true; };
+  const ParetoResult result = pareto(problem, {.max_evaluations = 200});
+  EXPECT_TRUE(result.front.empty());
+  ASSERT_TRUE(result.least_infeasible);
+  EXPECT_EQ(result.least_infeasible->point[2], 5.0);
 }
 
 }  // namespace

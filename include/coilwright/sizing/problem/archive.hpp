@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "coilwright/sizing/problem/front.hpp"
@@ -16,6 +17,8 @@ struct Record {
   std::vector<double> point;  ///< variables, in the problem's order
   Evaluation evaluation;      ///< what came out
   std::size_t number = 0;     ///< place in the order of evaluation, from 1; 0 without one (see Archive::number)
+  /// What proposed it, as docs/formats-results.md lists them: "end", "gap", ...; empty for what no search asked for.
+  std::string_view proposed_by{};
 
   friend bool operator==(const Record&, const Record&) = default;
 };
@@ -48,10 +51,18 @@ class Archive {
 
   /// Gives the design at an evaluated point the next number in the order of evaluation, unless it has one. Designs are
   /// evaluated at the same time, so that only the caller knows an order that is the same on any number of threads.
-  void number(std::span<const double> point);
+  /// `proposed_by`, a string that outlives the archive, says what proposed it.
+  void number(std::span<const double> point, std::string_view proposed_by = {});
 
   /// The evaluation at `point`, if it was made.
   [[nodiscard]] std::optional<Evaluation> find(std::span<const double> point) const;
+
+  /// Whether the problem excludes the design at a point before it is evaluated. Throws as evaluate() for the point, and
+  /// what the problem throws.
+  [[nodiscard]] bool excludes(std::span<const double> point) const;
+
+  /// Number of designs of which excludes() was true.
+  [[nodiscard]] std::size_t excluded() const;
 
   /// Number of designs evaluated.
   [[nodiscard]] std::size_t size() const;

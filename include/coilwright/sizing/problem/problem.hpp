@@ -64,6 +64,10 @@ struct Problem {
   /// The design that a search evaluates first, a value for each variable: its nearest legal point, clamped to the
   /// bounds and on the grid. Empty: none.
   std::vector<double> start{};
+  /// Whether a design breaks a constraint by what is known of it before it is evaluated. Pure, much cheaper than
+  /// `evaluate`, called from several threads at once; never true of a design that `evaluate` finds feasible. A search
+  /// then leaves the design out. Empty: nothing is known.
+  std::function<bool(std::span<const double>)> excluded{};
 };
 
 /// Throws std::invalid_argument naming the field, the rule and the value received, unless `problem` can be searched.

@@ -10,7 +10,7 @@
 #include "cli/film/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
-#include "coilwright/formats/data/lens_file.hpp"
+#include "coilwright/formats/film/lens_file.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/require_readable.hpp"
 

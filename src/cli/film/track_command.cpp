@@ -17,7 +17,7 @@
 #include "cli/outputs.hpp"
 #include "cli/runs/run_files.hpp"
 #include "coilwright/formats/data/dataset_file.hpp"
-#include "coilwright/formats/data/lens_file.hpp"
+#include "coilwright/formats/film/lens_file.hpp"
 #include "coilwright/formats/simulation/commanded_input_file.hpp"
 #include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/text/input_error.hpp"

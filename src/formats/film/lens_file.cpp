@@ -1,4 +1,4 @@
-#include "coilwright/formats/data/lens_file.hpp"
+#include "coilwright/formats/film/lens_file.hpp"
 
 #include <algorithm>
 

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
-#include <regex>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -148,7 +147,10 @@ namespace {
 std::string without_budget(const std::string& study) {
   std::string text = study;
   std::erase_if(text, [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == ','; });
-  return std::regex_replace(text, std::regex(R"("max_evaluations":[0-9.eE+]+)"), "");
+  constexpr std::string_view budget = R"("max_evaluations":)";
+  const std::size_t key = text.find(budget);
+  if (key != std::string::npos) text.erase(key, text.find_first_not_of("0123456789.eE+", key + budget.size()) - key);
+  return text;
 }
 
 // A budget is not what a run is of: the search of a larger one begins like that of a smaller one.

@@ -7,7 +7,6 @@
 #include <functional>
 #include <iterator>
 #include <memory>
-#include <regex>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -51,8 +50,15 @@ using Values = std::vector<std::vector<std::optional<double>>>;
 
 // Without what it got and with .. for numbers, in which builds that fail alike differ.
 std::string cause_in(const std::string& reason) {
-  static const std::regex number("(^| )-?[0-9][^ ,:]*");
-  return std::regex_replace(reason.substr(0, reason.find(';')), number, "$1..");
+  std::string out = reason.substr(0, reason.find(';'));
+  std::size_t word = 0;
+  do {
+    const char first = out[out[word] == '-' ? word + 1 : word];
+    if (first >= '0' && first <= '9')
+      out.replace(word, std::min(out.find_first_of(" ,:", word), out.size()) - word, "..");
+    word = out.find(' ', word) + 1;
+  } while (word != 0);
+  return out;
 }
 
 std::vector<FailureCause> causes_of(std::span<const Build> builds) {

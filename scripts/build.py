@@ -56,7 +56,7 @@ def main(targets: list[str]) -> int:
                     continue
                 share = min(done / planned, 0.99)
                 left = f", about {duration((now - begun) * (1 - share) / share)} more" if share > 0.05 else ""
-                text = f"coilwright.sh: {100 * share:.0f} % compiled after {duration(now - begun)}{left}"
+                text = f"coilwright: {100 * share:.0f} % compiled after {duration(now - begun)}{left}"
                 print(f"\r{text}\033[K" if terminal else text, end="" if terminal else "\n", file=sys.stderr, flush=True)
                 told, shown = now, terminal
     if shown:

@@ -42,14 +42,27 @@ def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
     return info.name
 
 
+def screen():
+    """The terminal, to say there how far the compiler is: pip shows nothing of what a backend prints before it has failed."""
+    try:
+        return open("/dev/tty", "w", encoding="utf-8")
+    except OSError:
+        return None
+
+
 def built_package() -> pathlib.Path:
     if shutil.which("cmake") is None:
         sys.exit("coilwright: cmake is not installed, which builds the package: scripts/setup.sh && scripts/setup.sh python")
     # A venv's interpreter is a link; the build folder must not depend on what is removed with the venv.
     python = os.path.realpath(sys.executable)
-    for command in (["cmake", "--preset", "release", "-DCOILWRIGHT_PYTHON=ON", f"-DPython_EXECUTABLE={python}"],
-                    ["cmake", "--build", "--preset", "release", "--target", "coilwright_python"]):
-        subprocess.run(command, cwd=ROOT, check=True)
+    log = ROOT / "build.log"
+    with open(log, "w", encoding="utf-8") as said:
+        failed = subprocess.run(["cmake", "--preset", "release", "-DCOILWRIGHT_PYTHON=ON", f"-DPython_EXECUTABLE={python}"],
+                                cwd=ROOT, stdout=said, stderr=subprocess.STDOUT, check=False).returncode
+    compiling = [sys.executable, ROOT / "scripts/build.py", "coilwright_python"]
+    if failed or subprocess.run(compiling, stderr=screen(), check=False).returncode:
+        sys.exit(log.read_text(encoding="utf-8"))
+    log.unlink()
     return BUILD / "python/coilwright"
 
 
@@ -59,13 +72,16 @@ def record_line(name: str, content: bytes) -> str:
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
-    package = built_package()
+    return wheel_of(built_package(), wheel_directory)
+
+
+def wheel_of(package: pathlib.Path, wheel_directory) -> str:
     python = f"cp{sys.version_info[0]}{sys.version_info[1]}"
     tag = f"{python}-{python}-{re.sub('[-.]', '_', sysconfig.get_platform())}"
     info = f"coilwright-{VERSION}.dist-info"
-    suffix = sysconfig.get_config_var("EXT_SUFFIX")
-    contents = {f"coilwright/{file.name}": file.read_bytes() for file in sorted(package.iterdir())
-                if file.suffix in (".py", ".pyi", ".typed") or file.name == "_core" + suffix}
+    module = "_core" + sysconfig.get_config_var("EXT_SUFFIX")
+    files = [file.name for file in sorted(package.iterdir()) if file.suffix in (".py", ".pyi", ".typed")]
+    contents = {f"coilwright/{name}": (package / name).read_bytes() for name in [module, *files]}
     contents[f"{info}/METADATA"] = METADATA.encode()
     contents[f"{info}/LICENSE"] = (ROOT / "LICENSE").read_bytes()
     contents[f"{info}/WHEEL"] = (f"Wheel-Version: 1.0\nGenerator: coilwright\nRoot-Is-Purelib: false\nTag: {tag}\n").encode()

@@ -10,6 +10,13 @@ immutable, can be copied and pickled where that makes sense, and be used from se
 67
 """
 
+try:
+    from coilwright import _core
+except ImportError as error:
+    if "shared object" not in str(error):
+        raise
+    raise ImportError(f"{error}; the Debian package coilwright brings the libraries that the module needs") from error
+
 from coilwright._actuator import Actuator
 from coilwright._core import version as __version__
 from coilwright._diagnosis import Diagnosis, Estimate, Plan, Records, diagnose, plan, report, twin

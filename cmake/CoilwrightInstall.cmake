@@ -43,7 +43,7 @@ foreach(component IN LISTS components)
                                  "set(coilwright_packages_of_${component} ${packages})\n")
   list(APPEND used_packages ${packages})
   install(EXPORT coilwright-${component} NAMESPACE coilwright:: FILE coilwright-${component}-targets.cmake
-          DESTINATION ${package_folder})
+          DESTINATION ${package_folder} COMPONENT development)
 endforeach()
 list(REMOVE_DUPLICATES used_packages)
 foreach(package IN LISTS used_packages)
@@ -57,10 +57,19 @@ write_basic_package_version_file(coilwright-config-version.cmake COMPATIBILITY S
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/coilwright-config.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/coilwright-config-version.cmake
               cmake/FindLibCsv.cmake cmake/FindSQLiteCpp.cmake
-        DESTINATION ${package_folder})
+        DESTINATION ${package_folder} COMPONENT development)
 
-install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 # Input files to copy and change; no command looks for them. One study names a result of this repository.
 install(DIRECTORY configs/ DESTINATION ${data_folder} PATTERN undeclared_after.json EXCLUDE)
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# Everything that is installed but the Python package, which pip builds: neither tests nor examples.
+add_custom_target(installable DEPENDS programs)
+list(TRANSFORM components PREPEND coilwright_)
+foreach(target IN LISTS components ITEMS coilwright_opencv shell_files)
+  if(TARGET ${target})
+    add_dependencies(installable ${target})
+  endif()
+endforeach()

@@ -15,6 +15,9 @@ set(coilwright_find_muparser muparser 2.3 CONFIG)
 set(coilwright_find_pugixml pugixml 1.12 CONFIG)
 set(coilwright_find_SQLiteCpp SQLiteCpp 3.2 MODULE)
 set(coilwright_find_OpenSSL OpenSSL 3.0 COMPONENTS Crypto)
+# Where they are in Debian.
+set(coilwright_debian_packages libnlopt-dev libeigen3-dev libboost-dev nlohmann-json3-dev libtbb-dev libfmt-dev libhwy-dev
+  libceres-dev libcsv-dev libmuparser-dev libpugixml-dev libsqlitecpp-dev libssl-dev)
 
 # coilwright_package_of(<target> <out>): the package that has a target, which is the part of its name before "::".
 function(coilwright_package_of target out)

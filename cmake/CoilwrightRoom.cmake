@@ -40,7 +40,7 @@ endfunction()
 # components that were added before.
 function(coilwright_component name)
   set_property(GLOBAL APPEND PROPERTY COILWRIGHT_COMPONENTS ${name})
-  install(TARGETS coilwright_${name} EXPORT coilwright-${name})
+  install(TARGETS coilwright_${name} EXPORT coilwright-${name} COMPONENT development)
 endfunction()
 
 # Warnings are ours, never a consumer's: private, and errors only where COILWRIGHT_WERROR says so (CI).

@@ -14,8 +14,9 @@ const Vision& load_vision() {
   if (module == nullptr) {
     const std::string_view reason = dlerror();
     constexpr std::string_view cure =
-        "films are read with OpenCV, which this build of Coilwright has not: install libopencv-contrib-dev, "
-        "libopencv-videoio-dev and libopencv-calib3d-dev (scripts/setup.sh films), and build it again";
+        "films are read with OpenCV, which is not here: install the package coilwright-films; or, to build it, "
+        "libopencv-contrib-dev, libopencv-videoio-dev and libopencv-calib3d-dev (scripts/setup.sh films), and build "
+        "again";
     throw std::runtime_error(fmt::format("{} ({})", cure, reason));
   }
   const auto vision = reinterpret_cast<const Vision* (*)()>(dlsym(module, "coilwright_vision"));

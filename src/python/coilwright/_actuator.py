@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Union
 
 from coilwright import _core
+from coilwright._arrays import json_text
 from coilwright._effects import Effect, catalogue
 from coilwright._errors import number
 
@@ -52,7 +53,7 @@ class Actuator:
         >>> cw.Actuator.from_dict(finger.to_dict()) == finger
         True
         """
-        return cls._parse(json.dumps(content, allow_nan=False), "actuator", tuple(effects))
+        return cls._parse(json_text(content, "actuator"), "actuator", tuple(effects))
 
     @classmethod
     def prototype(cls) -> Actuator:

@@ -1,9 +1,16 @@
-"""From what Python has of numbers (arrays, masks, times, columns of tables) to arrays of float: the one way into C++."""
+"""From what Python has of numbers (arrays, masks, times, columns of tables) to arrays of float and to JSON: the one way into
+C++."""
 
 from __future__ import annotations
 
 import datetime
+import decimal
+import json
+import math
+import numbers
+import os
 import re
+from collections.abc import Mapping, Sequence, Set
 from typing import Any
 
 import numpy as np
@@ -12,8 +19,8 @@ from numpy.typing import ArrayLike, NDArray
 from coilwright._errors import InputError
 
 # Columns of time, and what the units of their names are called by NumPy.
-_TIME = re.compile(r"(?:time|t)(?:_\w+)?_(s|ms|us|min|h)")
-_UNITS = {"s": "s", "ms": "ms", "us": "us", "min": "m", "h": "h"}
+_TIME = re.compile(r"(?:time|t)(?:_\w+)?_(s|ms|us|ns|min|h|day)")
+_UNITS = {"s": "s", "ms": "ms", "us": "us", "ns": "ns", "min": "m", "h": "h", "day": "D"}
 _NUMBERS = "must be numbers, in the unit at the end of its name"
 
 
@@ -53,6 +60,50 @@ def column(name: str, values: ArrayLike, *, whole: bool = False) -> NDArray[np.f
     if whole:
         _require_whole(name, out)
     return out
+
+
+def json_text(content: Mapping[str, Any], origin: str) -> str:
+    """The content of a file as text, whatever mappings, sequences and numbers it is of: NumPy's scalars and arrays, tuples,
+    paths. Raises InputError of the file `origin` with the place of what JSON has nothing for: a nan, an object."""
+    return json.dumps(plain(content, origin, ""), allow_nan=False)
+
+
+def plain(value: Any, origin: str, place: str) -> Any:
+    """The same as objects of Python's own."""
+    if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
+        raise _unfit(origin, place, "must have no masked number", repr(value))
+    if isinstance(value, (np.generic, np.ndarray)) and value.dtype.kind in "bOUiuf":
+        value = value.tolist()
+    if value is None or isinstance(value, (str, bool)):
+        return value
+    if isinstance(value, Mapping):
+        for key in value:
+            if not isinstance(key, str):
+                raise _unfit(origin, place, "must have texts for names", repr(key))
+        return {str(key): plain(each, origin, f"{place}/{key.replace('~', '~0').replace('/', '~1')}")
+                for key, each in value.items()}
+    if isinstance(value, (Sequence, Set)) and not isinstance(value, (bytes, bytearray)):
+        return [plain(each, origin, f"{place}/{i}") for i, each in enumerate(value)]
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if isinstance(value, (numbers.Real, decimal.Decimal)) and not isinstance(value, np.timedelta64):
+        if isinstance(value, numbers.Integral):
+            return int(value)
+        if math.isfinite(value):
+            return float(value)
+        raise _unfit(origin, place, "must be a finite number", repr(value))
+    raise _unfit(origin, place, "must be a number, a text, a list or a mapping", f"{value!r} ({type(value).__name__})")
+
+
+def _unfit(origin: str, place: str, rule: str, value: str) -> InputError:
+    where = f"{origin}: {place}" if place else origin
+    return InputError(f"{where}: {rule}; got {value}", origin, place, rule, value)
+
+
+def read_only(array: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The array, which can then not be written to: results are immutable."""
+    array.flags.writeable = False
+    return array
 
 
 def _require_whole(name: str, values: NDArray[np.float64]) -> None:

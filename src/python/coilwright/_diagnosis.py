@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import json
 import os
 import pathlib
@@ -12,6 +13,7 @@ from typing import Any, NamedTuple, Optional, Union
 
 from coilwright import _core
 from coilwright._actuator import Actuator, Path
+from coilwright._arrays import json_text, plain
 from coilwright._effects import Effect, catalogue
 from coilwright._errors import InputError, core_of, number
 from coilwright._results import Answer
@@ -20,8 +22,9 @@ from coilwright._tables import Columns, Table, csv_text
 Hidden = Mapping[str, Mapping[str, float]]
 
 
-class Records:
-    """Records of one actuator in memory: what the folder of a data set holds (docs/formats-dataset.md), a table a run.
+class Records(Mapping[str, Table]):
+    """Records of one actuator in memory, immutable: what the folder of a data set holds (docs/formats-dataset.md), a table
+    a run.
 
     Make it of arrays by `of`, or by `twin`.
 
@@ -32,10 +35,23 @@ class Records:
     """
 
     def __init__(self, dataset: Mapping[str, Any], files: Mapping[str, str]) -> None:
-        self.dataset = dict(dataset)
-        """The content of dataset.json."""
+        self._dataset: dict[str, Any] = plain(dataset, "records", "")
         self._files = dict(files)
         _require_file_names(self._files)
+
+    @property
+    def dataset(self) -> dict[str, Any]:
+        """The content of dataset.json."""
+        return copy.deepcopy(self._dataset)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Records) and (self._dataset, self._files) == (other._dataset, other._files)
+
+    def __hash__(self) -> int:
+        return hash(tuple(self._files.items()))
+
+    def __repr__(self) -> str:
+        return f"<coilwright.Records {self._dataset.get('name', '')!r}: {', '.join(self._files)}>"
 
     @classmethod
     def of(cls, runs: Mapping[str, Columns], *, name: str = "records",
@@ -150,7 +166,7 @@ class Diagnosis(Answer):
     @property
     def errors(self) -> dict[str, Any]:
         """Errors on the runs that no fit has seen, as "declared", fitted anew ("before") and with effects ("after")."""
-        return dict(self._content["error"]["validate"])
+        return copy.deepcopy(dict(self._content["error"]["validate"]))
 
     @property
     def actuator(self) -> Actuator:
@@ -168,7 +184,10 @@ class Diagnosis(Answer):
 
     def to_dict(self) -> dict[str, Any]:
         """The content of diagnosis.json."""
-        return dict(self._content)
+        return copy.deepcopy(self._content)
+
+    def _made_with(self) -> tuple[Any, ...]:
+        return (self._effects,)
 
     def write(self, folder: Path) -> None:
         """Writes the files of the program into a folder, all or none: the same bytes, but for where records of memory
@@ -280,7 +299,7 @@ def twin(actuator: Actuator, experiment: Union[Mapping[str, Any], Path], hidden:
 def _planned(experiment: Union[Mapping[str, Any], Path], noise: Mapping[str, float]) -> _core.Planned:
     words = [f"{name}={number(name, value)!r}" for name, value in noise.items()]
     if isinstance(experiment, Mapping):
-        return _core.Planned(json.dumps(experiment, allow_nan=False), "experiment", words)
+        return _core.Planned(json_text(experiment, "experiment"), "experiment", words)
     origin = os.fspath(experiment)
     return _core.Planned(_core.read_text(origin), origin, words)
 

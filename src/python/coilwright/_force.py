@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping
 from typing import Any, NamedTuple, Optional
@@ -12,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from coilwright import _core
 from coilwright._actuator import Path
-from coilwright._arrays import floats
+from coilwright._arrays import floats, json_text, read_only
 from coilwright._errors import core_of
 
 
@@ -54,7 +53,7 @@ class Pair:
         ...                               {**magnet, "name": "upper", "position_mm": [0, 0, 9]}]}).names
         ('lower', 'upper')
         """
-        return cls(_core.Pair.parse(json.dumps(content, allow_nan=False), "pair"))
+        return cls(_core.Pair.parse(json_text(content, "pair"), "pair"))
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -113,7 +112,7 @@ def force(pair: Pair, positions_mm: Optional[ArrayLike] = None, axes: Optional[A
         raise ValueError("axes: must come with positions_mm")
     directions = none if axes is None else _rows("axes", axes, len(positions))
     both = _core.force(core_of(pair, Pair), positions, directions)
-    return Forces(both[:, :, :3], both[:, :, 3:])
+    return Forces(read_only(both[:, :, :3]), read_only(both[:, :, 3:]))
 
 
 def _rows(name: str, values: ArrayLike, count: Optional[int]) -> NDArray[np.float64]:

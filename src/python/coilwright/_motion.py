@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import os
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Optional, Union
 
 import numpy as np
@@ -11,33 +12,55 @@ from numpy.typing import NDArray
 
 from coilwright import _core
 from coilwright._actuator import Actuator, Path
+from coilwright._arrays import read_only
 from coilwright._errors import core_of, number
 from coilwright._tables import Columns, csv_text, place_of
 
 
-class Motion:
-    """A motion, sample by sample: the columns of `coilwright simulate` by name. Made by `simulate`.
+class Motion(Mapping[str, NDArray[np.float64]]):
+    """A motion: a mapping from the columns of `coilwright simulate` to their samples, which cannot be written to. Made by
+    `simulate`.
 
     >>> import coilwright as cw
     >>> motion = cw.simulate(cw.Actuator.prototype(), step=1.4, duration=0.1)
     >>> motion.columns
     ['time_s', 'current_A', 'theta1_deg', 'theta2_deg', 'bending_angle_deg', 'bending_speed_deg_s']
-    >>> motion["time_s"].shape, motion.rows.shape
-    ((51,), (51, 6))
+    >>> motion["time_s"].shape, motion.rows.shape, len(motion), "theta1_deg" in motion
+    ((51,), (51, 6), 6, True)
     """
 
-    def __init__(self, columns: list[str], rows: NDArray[np.float64], title: str) -> None:
-        self.columns = columns
-        """Names of the columns, each with its unit at its end."""
-        self.rows = rows
-        """(samples, columns)"""
+    def __init__(self, columns: Sequence[str], rows: NDArray[np.float64], title: str) -> None:
+        self._columns = tuple(columns)
+        self._rows = read_only(np.array(rows))
         self._title = title
 
+    @property
+    def columns(self) -> list[str]:
+        """Names of the columns, each with its unit at its end."""
+        return list(self._columns)
+
+    @property
+    def rows(self) -> NDArray[np.float64]:
+        """(samples, columns)"""
+        return self._rows
+
     def __getitem__(self, column: str) -> NDArray[np.float64]:
-        return self.rows[:, place_of(column, self.columns)]
+        return self._rows[:, place_of(column, self.columns)]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
 
     def __len__(self) -> int:
-        return len(self.rows)
+        return len(self._columns)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Motion, (self._columns, self._rows, self._title)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Motion) and self._columns == other._columns and np.array_equal(self._rows, other._rows)
+
+    def __hash__(self) -> int:
+        return hash((self._columns, self._rows.tobytes()))
 
     def to_frame(self) -> Any:
         """As a pandas DataFrame, where pandas is installed."""
@@ -49,7 +72,7 @@ class Motion:
         return _plots.motion(self, self._title, axes)
 
     def __repr__(self) -> str:
-        return f"<coilwright.Motion of {self._title!r}, {len(self)} samples>"
+        return f"<coilwright.Motion of {self._title!r}, {len(self._rows)} samples>"
 
 
 def simulate(actuator: Actuator, *, step: Optional[float] = None, sine: Optional[tuple[float, float, float]] = None,

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import copy
 import html
 import os
+import pathlib
+import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple, Optional
 
 from coilwright import _core
 from coilwright._actuator import Actuator, Path
 from coilwright._effects import Effect
-from coilwright._errors import core_of, whole
+from coilwright._errors import OutputError, core_of, whole
 from coilwright._study import Study
 from coilwright._tables import Table
 
@@ -47,6 +50,57 @@ def _words(seed: Optional[int], max_evaluations: Optional[int], algorithm: Optio
             "progress": None if progress is None else told}
 
 
+class Kept:
+    """What a core of C++ gave, in its place: what an answer is pickled as."""
+
+    def __init__(self, values: dict[str, Any], made: dict[str, Any], files: dict[str, bytes],
+                 designs: list[_core.Actuator]) -> None:
+        self.__dict__.update(values)
+        self._made = made
+        self._files = files
+        self._designs = [Actuator(each) for each in designs]
+
+    @classmethod
+    def of(cls, core: Any) -> Kept:
+        """All that a core tells without arguments, and the files that it writes."""
+        if isinstance(core, Kept):
+            return core
+        kind = type(core)
+        names = [name for name in dir(kind) if not name.startswith("_") and name != "write"]
+        values = {name: getattr(core, name) for name in names if isinstance(getattr(kind, name), property)}
+        made = {name: getattr(core, name)() for name in names if name not in ("actuator", *values)}
+        designs = [core.actuator(i) for i in range(len(core))] if hasattr(kind, "__len__") else []
+        with tempfile.TemporaryDirectory() as work:
+            folder = pathlib.Path(work) / "files"
+            core.write(str(folder))
+            files = {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+        return cls(values, made, files, designs)
+
+    def __getattr__(self, name: str) -> Any:
+        made = self.__dict__.get("_made", {})
+        if name not in made:
+            raise AttributeError(name)
+        return lambda: copy.deepcopy(made[name])
+
+    def __len__(self) -> int:
+        return len(self._designs)
+
+    def actuator(self, index: int) -> Any:
+        return self._designs[index]._core
+
+    def write(self, folder: str) -> None:
+        place = pathlib.Path(folder)
+        try:
+            place.mkdir(parents=True, exist_ok=True)
+            with tempfile.TemporaryDirectory(dir=place) as work:  # all or none
+                for name, content in self._files.items():
+                    (pathlib.Path(work) / name).write_bytes(content)
+                for name in self._files:
+                    os.replace(pathlib.Path(work) / name, place / name)
+        except OSError as error:
+            raise OutputError(f"{folder}: cannot be written: {error.strerror}") from None
+
+
 class Answer:
     """What all answers can do."""
 
@@ -72,6 +126,16 @@ class Answer:
 
     def _repr_html_(self) -> str:
         return f"<pre>{html.escape(self.text)}</pre>"
+
+    def __repr__(self) -> str:
+        return f"<coilwright.{type(self).__name__}: {' '.join(self.text.split(chr(10), 1)[0].split())}>"
+
+    def _made_with(self) -> tuple[Any, ...]:
+        """What its class takes behind the core."""
+        return ()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (Kept.of(self._core), *self._made_with())
 
 
 class _Designs(Answer):
@@ -126,6 +190,9 @@ class Sized(Answer):
         """Every design that was evaluated: evaluations.csv."""
         return Table(self._core.evaluations())
 
+    def _made_with(self) -> tuple[Any, ...]:
+        return (self._effects,)
+
 
 class Front(_Designs):
     """What `pareto` found: the designs that no other one beats, as actuators, by index.
@@ -141,7 +208,10 @@ class Front(_Designs):
 
     def __init__(self, core: _core.Front, objectives: list[str]) -> None:
         self._core = core
-        self._objectives = objectives
+        self._objectives = list(objectives)
+
+    def _made_with(self) -> tuple[Any, ...]:
+        return (self._objectives,)
 
     def evaluations(self) -> Table:
         """Every design that was evaluated: evaluations.csv."""

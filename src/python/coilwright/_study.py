@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple, Optional, Union
 
 from coilwright import _core
 from coilwright._actuator import Actuator, Path
+from coilwright._arrays import json_text, plain
 from coilwright._effects import Effect, catalogue
 from coilwright._errors import number
 from coilwright._performance import Performance
@@ -79,7 +79,7 @@ class Study:
         """
         if actuator is not None:
             content = {"actuator": "actuator.json", **content}
-        return cls(json.dumps(content, allow_nan=False), "study", actuator, (), quantities, effects)
+        return cls(json_text(content, "study"), "study", actuator, (), quantities, effects)
 
     @property
     def name(self) -> str:
@@ -109,7 +109,7 @@ class Study:
 
 
 def _assignments(changes: Mapping[str, Union[float, str]]) -> list[str]:
-    return [f"{name}={value if isinstance(value, str) else repr(value)}" for name, value in changes.items()]
+    return [f"{name}={value if isinstance(value, str) else repr(plain(value, 'set', name))}" for name, value in changes.items()]
 
 
 def _row(quantity: Quantity) -> tuple[str, str, float, Callable[[_core.Performance], Optional[float]]]:

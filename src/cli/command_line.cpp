@@ -190,6 +190,8 @@ ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, co
     const text::InputError told(
         {.file = error.path1().string(), .rule = "cannot be looked at: " + error.code().message()});
     return fail(format, ExitCode::bad_input, told.what(), told.fault());
+  } catch (const OtherMachine& error) {
+    return fail(format, ExitCode::other_machine, error.what());
   } catch (const std::exception& error) {
     if (is_out_of_threads(error)) return out_of_threads(format);
     return fail(format, ExitCode::failure, error.what());
@@ -231,7 +233,8 @@ ExitCode run(std::span<const char* const> arguments, std::span<const Command> co
   app.require_subcommand(1);
   app.footer(
       "coilwright help COMMAND explains a command and shows an example.\n\n"
-      "Exit codes: 0 done; 1 another failure; 2 bad input or usage; 3 no feasible design; 130 interrupted.");
+      "Exit codes: 0 done; 1 another failure; 2 bad input or usage; 3 no feasible design; 4 a part that must be\n"
+      "made on another machine; 130 interrupted.");
   Outcome outcome{.arguments = arguments};
   add_commands(app, outcome, commands);
 

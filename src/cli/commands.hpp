@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <stdexcept>
 #include <string_view>
 
 namespace CLI {
@@ -12,10 +13,17 @@ namespace coilwright::cli {
 /// How the program ends; the numbers are part of its interface.
 enum class ExitCode : int {
   done = 0,
-  failure = 1,       ///< anything else
-  bad_input = 2,     ///< an input or the usage is wrong, or a place for results cannot be written
-  infeasible = 3,    ///< no design keeps all limits; the least infeasible one is written
-  interrupted = 130  ///< stopped by a signal; what was found so far is written
+  failure = 1,        ///< anything else
+  bad_input = 2,      ///< an input or the usage is wrong, or a place for results cannot be written
+  infeasible = 3,     ///< no design keeps all limits; the least infeasible one is written
+  other_machine = 4,  ///< of a part: this machine gives other numbers than the one that gathers the parts
+  interrupted = 130   ///< stopped by a signal; what was found so far is written
+};
+
+/// Ends the program with ExitCode::other_machine.
+class OtherMachine : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 /// What a command was called with, and leaves behind.

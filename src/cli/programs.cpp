@@ -11,11 +11,15 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
+
+#include "cli/commands.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -71,6 +75,55 @@ class FileInMemory {
   int descriptor_ = memfd_create("stream", MFD_CLOEXEC);
 };
 
+// A program that was started, with what it prints.
+class Child {
+ public:
+  Child(const std::string& file, const std::vector<std::string>& arguments, const std::string& folder) {
+    std::vector<std::string> words{"coilwright"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    posix_spawn_file_actions_t streams;
+    posix_spawn_file_actions_init(&streams);
+    posix_spawn_file_actions_adddup2(&streams, output_.descriptor(), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&streams, errors_.descriptor(), STDERR_FILENO);
+    posix_spawn_file_actions_addchdir_np(&streams, folder.c_str());
+    const int failed = posix_spawn(&id_, file.c_str(), &streams, nullptr, ended_by_null(words).data(), environ);
+    posix_spawn_file_actions_destroy(&streams);
+    if (failed != 0) throw cannot_run(file, failed);
+  }
+
+  // The exit code; 128 and the signal where one ended it, as a shell has it.
+  [[nodiscard]] int wait() const { return *status(0); }
+  [[nodiscard]] std::optional<int> ended() const { return status(WNOHANG); }
+  void kill() const {
+    ::kill(id_, SIGKILL);
+    (void)wait();
+  }
+  [[nodiscard]] std::string output() const { return output_.text(); }
+  [[nodiscard]] std::string errors() const { return errors_.text(); }
+
+ private:
+  [[nodiscard]] std::optional<int> status(int how) const {
+    int out{};
+    pid_t found{};
+    while ((found = waitpid(id_, &out, how)) == -1 && errno == EINTR) continue;
+    if (found == 0) return std::nullopt;
+    return WIFEXITED(out) ? WEXITSTATUS(out) : 128 + WTERMSIG(out);
+  }
+
+  FileInMemory output_, errors_;
+  pid_t id_{};
+};
+
+// What a program says that fails, after its warnings.
+std::optional<std::string> line_of(const std::string& errors) {
+  constexpr std::string_view name = "coilwright: ";
+  const std::size_t begin = errors.starts_with(name) ? 0 : errors.find(fmt::format("\n{}", name));
+  if (begin == std::string::npos) return std::nullopt;
+  std::string line = errors.substr(begin + name.size() + (begin > 0 ? 1 : 0));
+  while (line.ends_with('\n')) line.pop_back();
+  return line;
+}
+
 }  // namespace
 
 std::span<const CommandPlace> command_places() {
@@ -108,26 +161,26 @@ void go_on_in(std::string_view program, std::span<const char* const> arguments) 
 }
 
 Printed run_program(std::string_view program, const std::vector<std::string>& arguments) {
-  const std::string file = file_of(program);
-  std::vector<std::string> words{"coilwright"};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  const FileInMemory output;
-  const FileInMemory errors;
-  posix_spawn_file_actions_t streams;
-  posix_spawn_file_actions_init(&streams);
-  posix_spawn_file_actions_adddup2(&streams, output.descriptor(), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&streams, errors.descriptor(), STDERR_FILENO);
-  pid_t child{};
-  const int failed = posix_spawn(&child, file.c_str(), &streams, nullptr, ended_by_null(words).data(), environ);
-  posix_spawn_file_actions_destroy(&streams);
-  if (failed != 0) throw cannot_run(file, failed);
-  int status{};
-  while (waitpid(child, &status, 0) == -1 && errno == EINTR) continue;
-  Printed out{.output = output.text(), .errors = errors.text()};
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return out;
-  constexpr std::string_view name = "coilwright: ";
-  throw std::runtime_error(out.errors.starts_with(name) ? out.errors.substr(name.size())
-                                                        : fmt::format("{} failed", file));
+  const Child child(file_of(program), arguments, ".");
+  const int status = child.wait();
+  Printed out{.output = child.output(), .errors = child.errors()};
+  if (status == 0) return out;
+  throw std::runtime_error(line_of(out.errors).value_or(fmt::format("{} failed", file_of(program))));
+}
+
+std::optional<Failure> failure_within(std::chrono::milliseconds longest, const std::filesystem::path& folder,
+                                      const std::vector<std::string>& arguments) {
+  const Child child("/proc/self/exe", arguments, folder.string());
+  const auto end = std::chrono::steady_clock::now() + longest;
+  std::optional<int> status;
+  while (!(status = child.ended()) && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  if (!status) {
+    child.kill();
+    return std::nullopt;
+  }
+  if (*status == 0 || *status == static_cast<int>(ExitCode::infeasible)) return std::nullopt;
+  return Failure{.code = *status, .line = line_of(child.errors()).value_or("it ended without a word")};
 }
 
 }  // namespace coilwright::cli

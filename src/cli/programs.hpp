@@ -1,5 +1,8 @@
 #pragma once
 
+#include <chrono>
+#include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,5 +36,17 @@ struct Printed {
 /// Runs a program beside this one and waits for its end. Throws std::runtime_error with its line where it fails, and as
 /// go_on_in() does.
 [[nodiscard]] Printed run_program(std::string_view program, const std::vector<std::string>& arguments);
+
+/// How a program ended that failed.
+struct Failure {
+  int code{};
+  std::string line;  ///< what it said, without "coilwright: "
+};
+
+/// Runs this program itself with other arguments in `folder` for at most `longest`, and kills it if it still runs then.
+/// Nothing where it did, or ended well or without a feasible design. Throws as go_on_in() does.
+[[nodiscard]] std::optional<Failure> failure_within(std::chrono::milliseconds longest,
+                                                    const std::filesystem::path& folder,
+                                                    const std::vector<std::string>& arguments);
 
 }  // namespace coilwright::cli

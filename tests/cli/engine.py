@@ -37,10 +37,10 @@ class Engine:
         self.log.close()
         self.places.cleanup()
 
-    def start(self, *arguments):
+    def start(self, *arguments, **variables):
         # A group of its own: a worker's part ends with it, as on a machine that is switched off.
         return subprocess.Popen(list(map(str, arguments)), cwd=self.folder, stdout=self.log, stderr=self.log,
-                                stdin=subprocess.DEVNULL, start_new_session=True)
+                                stdin=subprocess.DEVNULL, start_new_session=True, env={**os.environ, **variables})
 
     def start_master(self):
         port_file = pathlib.Path(self.places.name) / "port"
@@ -53,11 +53,11 @@ class Engine:
             self.port = port_file.read_text().strip() if port_file.exists() else None
         return master
 
-    def start_worker(self, number):
+    def start_worker(self, number, **variables):
         place = pathlib.Path(self.places.name) / f"worker{number}_{time.monotonic_ns()}"
         place.mkdir()
         return self.start("work_queue_worker", "--cores", 1, "--memory", 1000, "--disk", 2000, "-t", HANGS, "-s", place,
-                          "--single-shot", "-i", 1, "-b", 1, "127.0.0.1", self.port)
+                          "--single-shot", "-i", 1, "-b", 1, "127.0.0.1", self.port, **variables)
 
     def kill(self, process):
         """By its own number, and what it started: nothing else is touched."""

@@ -143,7 +143,7 @@ class Sweeps(InParts):
         result = run(*arguments, "--force", cwd=self.folder)
         self.assertRegex(result.stderr, r"^coilwright: .* gives three designs other numbers than head \(.*\), where the parts are gathered: "
                                         r"their results must not be mixed; make the parts on processors of one kind\n$")
-        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.returncode, 4)
 
     def test_a_killed_part_goes_on(self):
         write_study(self, variables={**GRID, "gap_mm": {"lower": 0.7, "upper": 1.6, "step": 0.002}})  # seconds: it must not end before it is killed
@@ -269,6 +269,83 @@ class Workflows(InParts):
         self.write("work/x", "")
         self.assert_refused(["distribute", "study.json", "--parts", "3", *out], "work: cannot be written: it is not empty; --force writes into "
                             "it, another --out keeps it")
+
+    def test_what_no_part_can_run_with_is_refused_before_it_is_given_away(self):
+        """Whatever it is: a part is tried. The folder is not begun."""
+        write_study(self, objectives=FRONT)
+        (self.folder / "study.json").rename(self.folder / "front.json")
+        write_study(self, variables=GRID, spread=SPREAD)
+        for arguments, reason in ((["study.json", "--options", "--keep foo"], "sweep: --keep: must be one of"),
+                                  (["study.json", "--options", "--sample x"], "sweep: --sample: "),
+                                  (["front.json", "--as", "size"], "front.json: "),
+                                  (["study.json", "--as", "size", "--options", "--algorithm none"], "size: --algorithm: ")):
+            with self.subTest(" ".join(arguments)):
+                result = run("distribute", *arguments, "--parts", "2", "--out", "work", cwd=self.folder)
+                self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
+                self.assertRegex(result.stderr, r"^coilwright: no part can run: .*\n$")
+                self.assertIn(reason, result.stderr)
+                self.assertFalse((self.folder / "work").exists())
+
+    def test_slurm_gets_the_options_of_the_cluster(self):
+        options = "--time=2:00:00 --mem=2G --account=lab --partition=short"
+        self.ok("distribute", "study.json", "--parts", "2", "--out", "work", "--slurm", options)
+        lines = (self.folder / "work" / "slurm.sh").read_text().splitlines()
+        told = [line.removeprefix("#SBATCH ") for line in lines if line.startswith("#SBATCH --")]
+        self.assertEqual(told[-4:], options.split())
+        self.assert_refused(["distribute", "study.json", "--parts", "2", "--out", "other", "--slurm", "-t 5"],
+                            "--slurm: must have options of sbatch such as --time=2:00:00 --mem=2G --account=lab "
+                            "--partition=short; got -t")
+
+    def test_the_password_is_made_and_told(self):
+        told = self.ok("distribute", "study.json", "--parts", "2", "--out", "work")
+        self.assertIn("sh makeflow.sh -T wq -p 9123 -r 3 --password password\n", told)
+        self.assertIn("work_queue_worker --password password HOST_OF_THIS_MACHINE 9123\n", told)
+        password = self.folder / "work" / "password"
+        self.assertEqual(password.stat().st_mode & 0o777, 0o600)
+        self.assertRegex(password.read_text(), r"^[0-9a-f]{32}$")
+
+    def test_progress_says_how_many_parts_are_made_and_how_long_the_rest_takes(self):
+        work, _ = self.distributed(3)
+        watch = subprocess.Popen(["sh", "progress.sh"], cwd=work, stdout=subprocess.PIPE, text=True)
+        self.addCleanup(watch.kill)
+        self.assertEqual(watch.stdout.readline(), "0 of 3 parts are made\n")
+        subprocess.run(["sh", "part.sh", "2"], cwd=work, check=True, stdout=subprocess.DEVNULL)
+        self.assertRegex(watch.stdout.readline(), r"^1 of 3 parts are made, about \d+ s left\n$")
+        for number in ("1", "3"):
+            subprocess.run(["sh", "part.sh", number], cwd=work, check=True, stdout=subprocess.DEVNULL)
+        self.assertEqual(watch.stdout.read().splitlines()[-1], "3 of 3 parts are made")
+        self.assertEqual(watch.wait(), 0)
+        watch.stdout.close()
+
+    def test_a_worker_whose_processor_rounds_otherwise_leaves_and_uses_up_no_repetition(self):
+        if not engine.is_installed():
+            self.skipTest("makeflow is not installed")
+        work, whole = self.distributed(8)
+        # A processor of which a part is told by the variable of a worker: the program in front of the real one.
+        (work / "coilwright").rename(work / "real")
+        self.write("work/coilwright", '#!/bin/sh\ntest -z "$ROUNDS_OTHERWISE" || { sleep 0.2; exit 4; }\nexec ./real "$@"\n')
+        (work / "coilwright").chmod(0o755)
+        flow = work / "workflow.makeflow"
+        flow.write_text(flow.read_text().replace("SHARED=", "SHARED=real "))
+        with engine.Engine(work, workers=0) as workflow:
+            bad = workflow.start_worker(9, ROUNDS_OTHERWISE="1")
+            bad.wait(timeout=60)  # it leaves by itself
+            self.assertIsNone(workflow.master.poll())
+            workflow.workers.append(workflow.start_worker(0))
+            self.assertEqual(workflow.wait(), 0, (work / "engine.log").read_text()[-2000:])
+        self.assertEqual(results_of(work / "result"), whole)
+        log = (work / "engine.log").read_text()
+        self.assertIn("part.sh: this machine gives other numbers than the one that gathers the parts: its worker ends", log)
+        self.assertIn("8 of 8 parts are made", log)
+
+    def test_makeflow_without_a_result_fails(self):
+        if not engine.is_installed():
+            self.skipTest("makeflow is not installed")
+        work, _ = self.distributed(2)
+        (work / "part.sh").write_text("exit 1\n")
+        result = subprocess.run(["sh", "makeflow.sh", "-T", "local", "-j", "1"], cwd=work, capture_output=True, text=True)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn("makeflow.sh: there is no result: 0 of 2 parts are made, and what stopped the rest stands above", result.stderr)
 
     def test_of_two_masters_in_one_folder_the_second_says_so_and_ends(self):
         work, _ = self.distributed(1)

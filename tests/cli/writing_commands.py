@@ -54,9 +54,10 @@ COMMANDS = {
 
 
 def files_of(folder):
-    """All but archives, which say when and how fast, and their logs; of programs a digest, or unittest would tell the bytes."""
+    """All but archives, which say when and how fast, and their logs, and passwords, which are drawn; of programs a digest,
+    or unittest would tell the bytes."""
     found = {str(path.relative_to(folder)): path.read_bytes() for path in pathlib.Path(folder).rglob("*")
-             if path.is_file() and not path.name.startswith(ARCHIVE)}
+             if path.is_file() and not path.name.startswith(ARCHIVE) and path.name != "password"}
     return {name: hashlib.sha256(content).digest() if content.startswith(b"\x7fELF") else content for name, content in found.items()}
 
 

@@ -11,18 +11,22 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <random>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
 #include "cli/parts/commands.hpp"
 #include "cli/parts/copied_program.hpp"
+#include "cli/parts/part_trial.hpp"
 #include "cli/runs/part_run.hpp"
 #include "cli/runs/run_files.hpp"
 #include "cli/search/sweep_answer.hpp"
+#include "cli/search/yield_study.hpp"
 #include "coilwright/exports/workflow.hpp"
 #include "coilwright/formats/data/dataset_file.hpp"
 #include "coilwright/formats/study/study_file.hpp"
@@ -30,6 +34,7 @@
 #include "coilwright/text/argument.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/document.hpp"
+#include "coilwright/text/number.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 
 namespace coilwright::cli {
@@ -44,6 +49,7 @@ struct DistributeOptions {
   std::string out;
   std::vector<std::string> changes;
   std::string options;
+  std::string slurm;
   bool force{false};
   bool json{false};
 };
@@ -66,6 +72,9 @@ constexpr std::array divided_commands{
     DividedCommand{"yield", "part.json found.json builds.csv", "result.json", ""},
     DividedCommand{"diagnose", "", "diagnoses.csv", ""}};
 
+// Of makeflow.sh and its workers.
+constexpr const char* password_file = "password";
+
 // What distribute gives each part itself, or would need a folder that is not copied.
 constexpr std::array<std::string_view, 12> not_for_parts{"--part",    "--out",    "--head",  "--set",
                                                          "--threads", "--quiet",  "--json",  "--force",
@@ -80,6 +89,16 @@ std::vector<std::string> blank_separated(std::string_view text) {
       words.emplace_back();
   if (words.back().empty()) words.pop_back();
   return words;
+}
+
+// Nothing where there is none: the part that is tried says so.
+std::optional<double> number_after(std::string_view name, const std::vector<std::string>& words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == name && i + 1 < words.size()) return text::number_in(words[i + 1]);
+    if (words[i].starts_with(name) && words[i][name.size()] == '=')
+      return text::number_in(std::string_view(words[i]).substr(name.size() + 1));
+  }
+  return std::nullopt;
 }
 
 // Every word goes through a shell and, of files, through a line of Makeflow.
@@ -230,6 +249,11 @@ Distribution distribution_of_a_study(const DistributeOptions& options, const Div
   if (wanted == 2) {
     out.files.push_back(needed(options.inputs.back()));
     out.subjects.push_back(out.files.back().place);
+    out.head = this_machine(sizing::DesignProblem(
+        study_of_one({.study = file,
+                      .actuator = text::read_text(from_here(options.inputs.back()), text::json_size_limit),
+                      .changes = options.changes,
+                      .current = number_after("--current-A", blank_separated(options.options))})));
   } else {
     out.head = this_machine(problem);
   }
@@ -295,6 +319,25 @@ exports::Workflow workflow_of(const DistributeOptions& options, const Distributi
   return out;
 }
 
+// Slurm's own, of which the usual ones are named where another is given.
+void require_slurm_options(const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    require_plain(word);
+    if (!word.starts_with("--") || (word.find('=') == std::string::npos && word != "--exclusive"))
+      throw text::argument_error("--slurm", fmt::format("must have options of sbatch such as --time=2:00:00 --mem=2G "
+                                                        "--account=lab --partition=short; got {}",
+                                                        word));
+  }
+}
+
+// A long word that nobody guesses: who connects to the port and knows it can run programs on the workers.
+std::string password() {
+  std::random_device random;
+  std::string out;
+  for (int i = 0; i < 4; ++i) out += fmt::format("{:08x}", random());
+  return out;
+}
+
 void require_new(const DistributeOptions& options) {
   std::error_code error;
   if (!options.force && fs::exists(options.out, error) && !fs::is_empty(options.out, error))
@@ -306,11 +349,17 @@ void run_distribute(const DistributeOptions& options, const CLI::App& app) {
   const DividedCommand& command = *std::ranges::find(divided_commands, options.command, &DividedCommand::name);
   require_options(*app.get_subcommand(options.command), blank_separated(options.options));
   for (const std::string& change : options.changes) require_plain(change);
+  require_slurm_options(blank_separated(options.slurm));
   require_new(options);
   const Distribution distribution =
       command.name == "diagnose" ? distribution_of_sets(options, command) : distribution_of_a_study(options, command);
   const CopiedInputs inputs(distribution.files, distribution.subjects);
   exports::Workflow workflow = workflow_of(options, distribution, inputs);
+  workflow.slurm = blank_separated(options.slurm);
+  require_part_runs(blank_separated(workflow.arguments.front()), [&](text::OutputFolder& trial) {
+    inputs.copy_to(trial.path());
+    if (!distribution.head.figures.empty()) trial.write("head.json", formats::to_json(distribution.head).text());
+  });
   std::vector<fs::path> copied;
   for (const NeededFile& file : distribution.files) copied.push_back(file.from);
   keep_inputs(copied, run_files_in(options.out));
@@ -327,9 +376,11 @@ void run_distribute(const DistributeOptions& options, const CLI::App& app) {
     if (name != workflow.program) workflow.inputs.push_back(name);
   if (!distribution.head.figures.empty()) folder.write("head.json", formats::to_json(distribution.head).text());
   for (const exports::WorkflowFile& file : exports::workflow_files(workflow)) folder.write(file.name, file.text);
+  folder.write(password_file, password());
   remove_other_run(folder, "");
   remove_other_archive(folder);
   folder.commit("workflow.makeflow");
+  fs::permissions(fs::path(options.out) / password_file, fs::perms::owner_read | fs::perms::owner_write, stays);
   if (options.json) {
     const fs::path out = options.out;
     std::cout << written_json({out / "makeflow.sh", out / "slurm.sh", out / "parallel.sh"}).text();
@@ -337,12 +388,13 @@ void run_distribute(const DistributeOptions& options, const CLI::App& app) {
   }
   std::cout << fmt::format(
       "{}: {}. In this folder:\n"
-      "  idle machines    sh makeflow.sh -T wq -p 9123 -r 3\n"
-      "                   and on each of them: work_queue_worker HOST_OF_THIS_MACHINE 9123\n"
-      "  a Slurm cluster  sbatch --wait slurm.sh && sh merge.sh\n"
+      "  idle machines    sh makeflow.sh -T wq -p 9123 -r 3 --password {}\n"
+      "                   and on each of them, with that file: work_queue_worker --password {} HOST_OF_THIS_MACHINE "
+      "9123\n"
+      "  a Slurm cluster  sbatch --wait slurm.sh && sh merge.sh; how far it is: sh progress.sh\n"
       "  this machine     sh parallel.sh\n"
       "The result is then in {}.\n",
-      printed(options.out), distribution.said, printed(fs::path(options.out) / "result"));
+      printed(options.out), distribution.said, password_file, password_file, printed(fs::path(options.out) / "result"));
 }
 
 }  // namespace
@@ -368,13 +420,18 @@ void add_distribute_command(CLI::App& app, Outcome&) {
       ->allow_extra_args(false);
   command->add_option("--options", options->options,
                       "Further options of the command, for every part, as one text: \"--keep feasible --sample 1e6\"");
+  command->add_option("--slurm", options->slurm,
+                      "Options of sbatch for slurm.sh, as one text: \"--time=2:00:00 --mem=2G --account=lab "
+                      "--partition=short\" (default --mem=500M)");
   add_force_option(*command, options->force);
   add_written_json_option(*command, options->json);
   command->footer(
       "The folder gets this program with its libraries, the study's files, and the same workflow for three engines, "
       "of\n"
       "which one must be installed: makeflow.sh (Makeflow with Work Queue; also Slurm, SGE, HTCondor), slurm.sh\n"
-      "(a job array) and parallel.sh (GNU parallel). Each goes on after a crash of a machine, and ends with merge.\n\n"
+      "(a job array) and parallel.sh (GNU parallel). Each goes on after a crash of a machine, and ends with merge. "
+      "The\n"
+      "first part is tried for three seconds: what no part can run with is refused here.\n\n"
       "Example:\n"
       "  coilwright distribute configs/studies/configurations.json --parts 4 --out results/distributed");
   command->callback([options, &app] { run_distribute(*options, app); });

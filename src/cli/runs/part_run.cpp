@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/outputs.hpp"
 #include "cli/runs/archive_contents.hpp"
@@ -103,7 +104,7 @@ void require_figures_of_head(const PartOptions& options, const formats::Machine&
   if (options.head.empty()) return;
   const formats::Machine head = formats::read_head(options.head);
   if (head.figures == here.figures) return;
-  throw std::runtime_error(
+  throw OtherMachine(
       fmt::format("{} gives three designs other numbers than {}, where the parts are gathered: their results must not "
                   "be mixed; make the parts on processors of one kind",
                   here.name(), head.name()));

@@ -39,7 +39,7 @@ void add_part_options(CLI::App& command, PartOptions& options, const std::string
 /// The same of three default designs, for runs that are of no study.
 [[nodiscard]] formats::Machine this_machine();
 
-/// Throws std::runtime_error where --head names a machine whose figures differ from those of `here`.
+/// Throws OtherMachine where --head names a machine whose figures differ from those of `here`.
 void require_figures_of_head(const PartOptions& options, const formats::Machine& here);
 
 /// What a part of `size` or `pareto` is: a search by a seed of its own, that of the study plus the number of the part,

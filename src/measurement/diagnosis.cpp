@@ -33,6 +33,7 @@
 #include "measurement/localise/localisation.hpp"
 #include "measurement/planning/informative_experiment.hpp"
 #include "measurement/records/exchanged_runs.hpp"
+#include "measurement/records/possible_clock.hpp"
 #include "measurement/records/record_slips.hpp"
 #include "measurement/records/suspect_records.hpp"
 #include "measurement/replay/if_possible.hpp"
@@ -178,6 +179,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   if (!options.as_written) {
     records::require_no_slip(data.fit, declared);
     FinalErrors::require_no_slip(data.validate, declared);
+    records::require_possible_clocks(data.still);
   }
   const data::UsableRuns usable = data::usable_runs(data.fit);
   append(out.warnings, usable.warnings);

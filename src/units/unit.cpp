@@ -22,6 +22,8 @@ constexpr std::array table = {
     Unit{"us", "time", 1, 1e6},
     Unit{"ns", "time", 1, 1e9},
     Unit{"min", "time", 60},
+    Unit{"h", "time", 3600},
+    Unit{"day", "time", 86400},
     Unit{"Hz", "frequency"},
     Unit{"kHz", "frequency", 1e3},
 

@@ -115,7 +115,7 @@ class BadData(ProgramTest):
                  'dataset.json must say the time: how many rows were taken a second, as "sampling_rate_Hz"'),
                 ("time_s,theta1_deg", "must have an input column: current_A, current1_A.., voltage_V or torque1_Nm..; the "
                  'columns are "time_s", "theta1_deg", and dataset.json must say the input: a column of current or voltage '
-                 'in this file, or another file with one, named by "input_file"'),
+                 'in this file, or another file with one, named by "input_file"; or "kind": "still" if nothing moves in it'),
                 ("time_s,torque1_Nm",
                  "must have a measured column: bending_angle_deg, theta1_deg.. or omega1_rad_s..; the columns are "
                  '"time_s", "torque1_Nm", and dataset.json must say which column is the angle, in "columns"'),
@@ -296,7 +296,8 @@ class BadData(ProgramTest):
         self.write("set/a.csv", table(HEADER, [[t, 0, 0.05 * ((i * 7919) % 13 - 6)]
                                                for i, (t, _, _) in enumerate(rows())]))
         self.assertEqual(self.warnings(), [("a.csv", "the input never moves, and the run starts at rest under it: only "
-                                                     "slow effects and noise can show")])
+                                                     "slow effects and noise can show; where nothing moves in it, \"kind\": "
+                                                     "\"still\" makes it tell the noise of all runs")])
         self.assertEqual(self.result("out/diagnosis.json")["verdict"], "no_missing_effect")
         late = [[round(t + (5 if i > 30 else 0), 4), 0.2 if i == 0 else 0.21, y] for i, (t, _, y) in enumerate(rows(40))]
         self.write("set/a.csv", table(HEADER, late))

@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import math
+import shutil
 import unittest
 
 from program import ProgramTest, run
@@ -98,9 +99,77 @@ class Slips(ProgramTest):
         self.write("dataset.json", json.dumps(set_file))
         self.assertRegex(self.refusal(), r"step_1\.4A\.csv: time_ms: looks like seconds: ")
 
+    def assert_cured(self, cure):
+        """With the cure of a refusal the set is read and diagnosed as it was meant."""
+        cure()
+        result = run("diagnose", ".", "--out", "out", "--quiet", cwd=self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.result("out/diagnosis.json")["effects"][0]["id"], "dry_friction")
+        shutil.rmtree(self.folder / "out")
+
+    def rename(self, old, new):
+        for path in self.folder.glob("*.csv"):
+            path.write_text(path.read_text().replace(old, new, 1))
+
     def test_frame_numbers(self):
-        self.assert_slip(lambda i, t, c, a: (i, c, a), "time_s", "frame numbers, at 200 frames a second",
-                         "divide it by the frame rate")
+        remedy = (r'tell the time from one to the next in dataset\.json, "columns": {"time_s": {"as": "time_s", '
+                  r'"factor": 0\.005}}')
+        self.assert_slip(lambda i, t, c, a: (i + 17, c, a), "time_s", "frame numbers, at 200 frames a second", remedy)
+
+        def cure():
+            told = json.loads("{" + self.refusal().split("dataset.json, ")[1].split("; --as-written")[0] + "}")
+            self.write("dataset.json", json.dumps({**self.result("dataset.json"), **told}))
+
+        self.assert_cured(cure)
+
+    def test_any_unit_of_time(self):
+        """From a first reading of 0 and of a clock that has run for long, in one record of several, too."""
+        units = {"min": ("minutes", 60, 0), "h": ("hours", 3600, 0), "day": ("days", 86400, 44216.42377), "us": ("microseconds", 1e-6, 0)}
+        for unit, (word, size, zero) in units.items():
+            with self.subTest(unit):
+                self.write_as(lambda i, t, c, a: (zero + t / size, c, a))
+                refusal = self.refusal()
+                self.assertIn(f"time_s: looks like {word}: ", refusal)
+                self.assertIn(f"; name the column time_{unit}; --as-written", refusal)
+        self.write_as(lambda i, t, c, a: (44216.42377 + t / 86400, c, a))
+        self.assert_cured(lambda: self.rename("time_s", "time_day"))
+        for name, whole in self.records.items():
+            if name != "sine_2Hz.csv":
+                self.write(name, whole)
+        self.rename("time_day", "time_s")
+        self.assertRegex(self.refusal(), r"sine_2Hz\.csv: time_s: looks like days: ")
+
+    def test_times_that_are_none_by_their_spacing_alone(self):
+        """Under a start that the declared model cannot be asked for, and of a still run."""
+        self.write_as(lambda i, t, c, a: (t / 86400, c, a))
+        document = self.result("dataset.json")
+        for each in document["runs"]:
+            each["start"] = "free"
+        self.write("dataset.json", json.dumps(document))
+        self.assertRegex(self.refusal(), r"step_1\.4A\.csv: time: has a sample every [\d.]+e-08 s, closer than any sensor of a motion: "
+                                         r"name the column time_day if they are days \(a sample every 0\.005 s\)")
+        self.write_as(lambda i, t, c, a: (i, c, a))
+        self.assertRegex(self.refusal(), r"step_1\.4A\.csv: time_s: counts by ones, as pictures and rows are numbered: ")
+        for name, whole in self.records.items():
+            self.write(name, whole)
+        self.write("still.csv", "time_s,bending_angle_deg\n" + "".join(f"{i},{20 + 0.1 * (i % 3)}\n" for i in range(100)))
+        document["runs"].append({"file": "still.csv", "kind": "still"})
+        self.write("dataset.json", json.dumps(document))
+        self.assertRegex(self.refusal(), r"still\.csv: time_s: counts by ones, ")
+
+    def test_seconds_and_nanoseconds_in_two_columns(self):
+        for name, text in self.records.items():
+            lines = [line for line in text.splitlines() if not line.startswith("#")]
+            rows = ["sec,nanosec," + lines[0].split(",", 1)[1]]
+            for line in lines[1:]:
+                time, rest = line.split(",", 1)
+                since = 1611137492_900000000 + round(float(time) * 1e9)
+                rows.append(f"{since // 10**9},{since % 10**9},{rest}")
+            self.write(name, "\n".join(rows) + "\n")
+        refusal = self.refusal()
+        told = refusal[refusal.index('"columns"'):].strip()
+        self.assertEqual(told, '"columns": {"sec": "time_s", "nanosec": "time_ns"}')
+        self.assert_cured(lambda: self.write("dataset.json", json.dumps({**self.result("dataset.json"), **json.loads("{" + told + "}")})))
 
 
 if __name__ == "__main__":

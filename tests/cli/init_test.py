@@ -1,6 +1,8 @@
 """`coilwright init` and `coilwright schema`: what they write runs as it is, and follows the schemas."""
 
 import json
+import math
+import random
 import unittest
 
 from program import CONFIGS, DATA, ProgramTest, run
@@ -61,6 +63,49 @@ class Init(ProgramTest):
         self.assert_refused(["init", "dataset", "--from", "none.csv"], "none.csv: cannot be opened: No such file or directory")
         self.assert_refused(["init", "study", "--from", str(records / "plain.csv")],
                             "init: --from: is for init dataset only (see coilwright init --help)")
+
+    def test_a_data_set_about_records_follows_the_advice_to_record_twice_and_at_rest(self):
+        """Records of a person: pairs that begin at other moments, a still file with and without an input, a single motion."""
+        self.init("actuator")
+        noise = random.Random(3)
+
+        def record(name, of, columns="time_s,current_A,bending_angle_deg"):
+            rows = []
+            for i in range(400):
+                t = 0.005 * i
+                current, angle = of(t)
+                cells = [f"{t:.3f}", f"{current:.4f}", f"{angle + noise.gauss(0, 0.3):.3f}"]
+                rows.append(",".join(cells if "current" in columns else [cells[0], cells[2]]))
+            self.write(name, columns + "\n" + "\n".join(rows) + "\n")
+
+        step = lambda size, begin: lambda t: (size if t >= begin else 0.0, 20 + (30 * size * (1 - math.exp(-(t - begin) / 0.05)) if t >= begin else 0.0))
+        sine = lambda rate, begin: lambda t: (0.7 + 0.5 * math.sin(2 * math.pi * rate * (t - begin)), 45 + 20 * math.sin(2 * math.pi * rate * (t - begin) - 0.4))
+        still = lambda t: (0.0, 20.0)
+        for name, of in (("step_0.7A.csv", step(0.7, 0.3)), ("step_0.7A_again.csv", step(0.7, 0.42)), ("step_1.4A.csv", step(1.4, 0.3)),
+                         ("sine_1Hz.csv", sine(1, 0)), ("sine_1Hz_b.csv", sine(1, 0.1)), ("sine_3Hz.csv", sine(3, 0)), ("rest.csv", still)):
+            record(name, of)
+        record("quiet.csv", still, "time_s,bending_angle_deg")
+        files = sorted(path.name for path in self.folder.glob("*.csv"))
+        text = self.init("dataset", "--from", *files)
+        document = self.result("dataset.json")
+        self.assertEqual(document["name"], self.folder.name)
+        self.assertEqual({run["file"]: (run["kind"], run.get("role")) for run in document["runs"]},
+                         {"step_0.7A.csv": ("transient", "fit"), "step_0.7A_again.csv": ("transient", "validate"),
+                          "step_1.4A.csv": ("transient", "fit"), "sine_1Hz.csv": ("transient", "fit"),
+                          "sine_1Hz_b.csv": ("transient", "validate"), "sine_3Hz.csv": ("transient", "fit"),
+                          "rest.csv": ("still", None), "quiet.csv": ("still", None)})
+        self.assertIn('  sine_1Hz_b.csv repeats sine_1Hz.csv, and is kept from the fit ("validate")\n', text)
+        self.assertIn('nothing moves in it: it shows the noise ("kind": "still")', text)
+        self.assertNotIn("To be said by you", text)
+        self.assertEqual(run("diagnose", ".", "--out", "out", "--minutes", "0.001", cwd=self.folder).returncode, 130)
+        # Without a repeat the choice is told.
+        (self.folder / "dataset.json").unlink()
+        self.assertIn("no motion is there twice: ", self.init("dataset", "--from", "step_1.4A.csv", "sine_3Hz.csv"))
+
+    def test_a_still_run_is_named_where_an_input_is_missed(self):
+        rows = "".join(f"{0.01 * i:.2f},{20 + i}\n" for i in range(40))
+        self.write("moves.csv", "time_s,bending_angle_deg\n" + rows)
+        self.assertIn('or "kind": "still" if nothing moves in it', self.init("dataset", "--from", "moves.csv"))
 
     def test_every_object_says_what_it_is_for(self):
         self.init("study")

@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 #include <system_error>
 #include <utility>
 
 #include "coilwright/formats/data/run_file.hpp"
+#include "coilwright/measurement/data/repeated_runs.hpp"
 #include "coilwright/text/one_line.hpp"
 #include "formats/data/layout_format.hpp"
 
@@ -15,11 +17,14 @@ namespace coilwright::formats {
 namespace {
 
 using namespace text;
+using measurement::data::Run;
 using measurement::data::RunKind;
 
 struct DraftedRun {
   std::string file;  // from the folder of the document
   LayoutGuess guess;
+  std::optional<Run> read{};  // where its layout is known
+  bool validate{};
   std::vector<std::string> asked{};
 };
 
@@ -29,11 +34,21 @@ std::string path_from(const std::filesystem::path& folder, const std::filesystem
   return none || relative.empty() ? std::filesystem::absolute(file).string() : relative.string();
 }
 
+// The folder in which the set stands, as people call their rig or their day; that of its records where it has no name.
+std::string name_in(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  for (const std::filesystem::path& each : {folder, file.parent_path()}) {
+    const auto whole = (std::filesystem::absolute(each) / "").lexically_normal().parent_path();
+    if (whole.has_filename()) return one_line(whole.filename().string());
+  }
+  return "records";
+}
+
 // Reads the run as it would be read then, and mends what reading it shows.
 void try_to_read(DraftedRun& run, const std::filesystem::path& file) {
   RunEntry entry{.name = run.file, .kind = run.guess.kind, .layout = {.layout = run.guess.layout}};
   try {
-    const RunFile read = read_run(file, entry);
+    RunFile read = read_run(file, entry);
+    run.read = std::move(read.run);
     if (!read.objection) return;
     if (const auto& wrapped = read.objection->wrapped) {
       std::erase_if(run.guess.layout.columns, [&](const CsvColumn& each) { return each.source == wrapped->source; });
@@ -51,13 +66,49 @@ void try_to_read(DraftedRun& run, const std::filesystem::path& file) {
 }
 
 DraftedRun drafted(const std::filesystem::path& file, const std::filesystem::path& folder) {
-  DraftedRun run{.file = path_from(folder, file), .guess = guess_layout(read_csv_form(file))};
+  const CsvForm form = read_csv_form(file);
+  DraftedRun run{.file = path_from(folder, file), .guess = guess_layout(form)};
   try_to_read(run, file);
-  return run;
+  if (run.guess.kind != RunKind::transient || (run.read && !measurement::data::nothing_moves(*run.read))) return run;
+  // The record of an instrument at rest needs no input.
+  DraftedRun still{.file = run.file, .guess = run.guess};
+  still.guess.kind = RunKind::still;
+  if (!run.read) still.guess = guess_layout(form, {.kind = RunKind::still});
+  try_to_read(still, file);
+  if (!still.read || !measurement::data::nothing_moves(*still.read)) return run;
+  still.guess.guessed.emplace_back("nothing moves in it: it shows the noise (\"kind\": \"still\")");
+  return still;
+}
+
+// Of motions that were recorded more than once the last record is kept from the fit, which then lacks none of them.
+void choose_roles(std::vector<DraftedRun>& drafts, std::vector<std::string>& guessed) {
+  std::vector<Run> motions;
+  std::vector<DraftedRun*> of;
+  for (DraftedRun& each : drafts)
+    if (each.read && each.guess.kind == RunKind::transient) {
+      motions.push_back(*each.read);
+      of.push_back(&each);
+    }
+  const std::vector<std::size_t> experiments = measurement::data::experiments_of(motions);
+  bool held_out = false;
+  for (std::size_t first = 0; first < motions.size(); ++first) {
+    std::size_t last = experiments.size() - 1;
+    while (last > first && experiments[last] != first) --last;
+    if (last == first) continue;
+    DraftedRun& repeat = *of[last];
+    repeat.validate = held_out = true;
+    guessed.push_back(
+        fmt::format("{} repeats {}, and is kept from the fit (\"validate\")", repeat.file, of[first]->file));
+  }
+  if (!held_out && motions.size() > 1)
+    guessed.emplace_back(
+        "no motion is there twice: diagnose keeps every fourth run from the fit, and with it a motion that no other "
+        "shows; say by \"role\" which");
 }
 
 Json drafted_json(const DraftedRun& run) {
-  Json out = Json::object({{"file", run.file}, {"kind", name_of(run.guess.kind)}, {"role", "fit"}});
+  Json out = Json::object({{"file", run.file}, {"kind", name_of(run.guess.kind)}});
+  if (run.guess.kind != RunKind::still) out.set("role", run.validate ? "validate" : "fit");
   if (run.guess.kind == RunKind::transient)
     out.set("drive", name_of(run.guess.drive)).set("start", name_of(measurement::data::Start::at_rest));
   return out;
@@ -86,7 +137,9 @@ DatasetDraft draft_dataset(std::span<const std::filesystem::path> files, const s
   std::vector<DraftedRun> runs;
   for (const std::filesystem::path& file : files) runs.push_back(drafted(file, folder));
   DatasetDraft out;
-  out.document = Json::object({{"format", "measured-data/1"}, {"actuator", actuator}});
+  choose_roles(runs, out.guessed);
+  out.document =
+      Json::object({{"format", "measured-data/1"}, {"name", name_in(folder, files.front())}, {"actuator", actuator}});
   const bool alike = std::ranges::all_of(
       runs, [&](const DraftedRun& run) { return pasted(run.guess.layout) == pasted(runs.front().guess.layout); });
   if (alike) out.document = with_layout(std::move(out.document), runs.front().guess.layout);

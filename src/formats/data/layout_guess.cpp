@@ -13,6 +13,7 @@
 
 #include "coilwright/text/number.hpp"
 #include "coilwright/text/one_line.hpp"
+#include "formats/data/seen_clock.hpp"
 #include "formats/data/seen_column.hpp"
 
 namespace coilwright::formats {
@@ -90,6 +91,14 @@ class Guess {
   static std::string shown(const SeenColumn& column) { return in_quotes(column.source); }
 
   void find_time() {
+    if (const auto split = split_clock(columns_)) {
+      has_time_ = true;
+      split->seconds->words.unit = "s";
+      split->part->words.unit = split->unit;
+      for (SeenColumn* each : {split->seconds, split->part}) take(*each, "time", "s", true);
+      for (SeenColumn& each : columns_) each.taken = each.taken || each.words.quantity == Quantity::time;
+      return;
+    }
     // A clock with a name before the stamps that a terminal puts in front of each line.
     SeenColumn* time = first_of(Quantity::time);
     for (SeenColumn& each : columns_)
@@ -100,10 +109,32 @@ class Guess {
       if (!time && !each.taken && each.increases && !each.counts && each.words.quantity == Quantity::none) time = &each;
     if (!time) return;
     has_time_ = true;
-    take(*time, "time", time->stamps ? "s" : clock_unit(time->values), by_name);
+    take_time(*time, by_name);
     // The same clock again, as of the second channel of an oscilloscope.
     for (SeenColumn& each : columns_)
       if (!each.taken && (each.values == time->values || each.words.quantity == Quantity::time)) each.taken = true;
+  }
+
+  void take_time(SeenColumn& time, bool by_name) {
+    if (time.stamps || !time.words.unit.empty() || !time.words.strange_unit.empty())
+      return take(time, "time", "s", by_name);
+    const std::vector<std::string_view> units = clock_units(time);
+    if (units.size() == 1) return take(time, "time", std::string(units.front()), by_name);
+    time.taken = true;
+    used_.insert(time.source);
+    const auto written = [&](std::string_view unit) {
+      return fmt::format(R"("columns": {{{}: "time_{}"}})", shown(time), unit);
+    };
+    if (!units.empty()) {
+      std::vector<std::string> choices;
+      for (const std::string_view unit : units) choices.push_back(written(unit));
+      out_.asked.push_back(fmt::format("what {} counts: {}", shown(time), fmt::join(choices, " or ")));
+      return;
+    }
+    out_.asked.push_back(
+        fmt::format(R"(what {} counts, which goes up by ones: of pictures or rows "columns": {{{}: {{"as": "time_s", )"
+                    R"("factor": F}}}} with F the seconds from one to the next, 0.0166666667 at 60 a second; or {})",
+                    shown(time), shown(time), written("ms")));
   }
 
   void find_input() {
@@ -133,7 +164,7 @@ class Guess {
         return input(each, "current", "A", Drive::current, false);
     out_.asked.emplace_back(bench ? "which column is the current, in \"columns\""
                                   : "the input: a column of current or voltage in this file, or another file with one, "
-                                    "named by \"input_file\"");
+                                    "named by \"input_file\"; or \"kind\": \"still\" if nothing moves in it");
   }
 
   static bool is_free(const SeenColumn& each) {

@@ -112,23 +112,46 @@ Run run_of(const CsvTable& table, const RunColumns& columns, const RunEntry& ent
   return run;
 }
 
-void require_covers(const CsvTable& table, const Run& run) {
+// A time on the clock of the measurement as a row of the input's file has it.
+std::string row_time(const CsvTable& input, double seconds, double shift) {
+  using Kind = ClockOrigin::Kind;
+  const Kind origin = input.clock_origin().kind;
+  const double own = seconds - shift;
+  if (origin == Kind::day) return fmt::format("{:.6g} s after its first row", own - input.column("time").front());
+  const double from = origin == Kind::number ? input.clock_origin().seconds : 0.0;
+  return fmt::format("{}", units::from_si(own + from, input.name("time")));
+}
+
+void require_covers(const CsvTable& table, const Run& run, double zero) {
   const double first = run.times.front();
   const double last = run.times.back();
   const double shift = 3.0 * (run.clock.offset_sigma + run.clock.rate_sigma * (last - first));
+  // Of two clocks in one unit neither lasts so much longer.
+  constexpr double much_longer = 20.0;
+  const double length = run.input_times.back() - run.input_times.front();
+  const bool other_unit = last - first > much_longer * length || length > much_longer * (last - first);
+  const auto cure = [&](std::string_view row, double time, std::string_view rows) {
+    if (other_unit)
+      return fmt::format(
+          " (it lasts {:.4g} s, the measurement {:.4g} s: is one of them in another unit? A column is "
+          "named by the unit of its numbers)",
+          length, last - first);
+    return fmt::format(
+        "; if the input was held there, repeat its {} row with the time {}, else delete the rows of {} {}", row,
+        row_time(table, time, zero), one_line(run.name), rows);
+  };
   if (run.input_times.front() > first + shift)
-    throw table.error(
-        "time", 0,
-        fmt::format("must not begin after the measurement of {} does ({:.6g} s)", one_line(run.name), first));
+    throw table.error("time", 0,
+                      fmt::format("must not begin after the measurement of {} does ({:.6g} s){}", one_line(run.name),
+                                  first, cure("first", first, "before it")));
   double longest = 0.0;
   for (std::size_t i = 1; i < run.input_times.size(); ++i)
     longest = std::max(longest, run.input_times[i] - run.input_times[i - 1]);
   if (run.input_times.back() < last - shift - longest)
-    throw table.error(
-        "time", run.input_times.size() - 1,
-        fmt::format("must reach the end of the measurement of {} ({:.6g} s) to within the longest interval "
-                    "of the input ({:.6g} s); an input that is held is repeated there",
-                    one_line(run.name), last, longest));
+    throw table.error("time", run.input_times.size() - 1,
+                      fmt::format("must reach the end of the measurement of {} ({:.6g} s) to within the longest "
+                                  "interval of the input ({:.6g} s){}",
+                                  one_line(run.name), last, longest, cure("last", last, "after it")));
 }
 
 // By how much the times of the input file are shifted so that both files count from one zero.
@@ -169,7 +192,7 @@ void add_input_file(RunFile& file, const RunEntry& entry, const RunColumns& meas
   run.inputs = read_inputs(table, columns);
   run.input_uncertainty = input_uncertainty_of(entry, table, columns);
   if (!entry.clock_offset) run.clock.offset_sigma = median_interval(run.times);
-  require_covers(table, run);
+  require_covers(table, run, shift);
 }
 
 template <class Read>

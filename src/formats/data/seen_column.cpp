@@ -51,13 +51,17 @@ constexpr std::string_view setpoint_words =
     "set|setpoint|target|command|commanded|cmd|desired|reference|ref|soll|sollwert";
 
 // At the end of a name: units that are not ours, and readings before any scale.
-constexpr std::string_view strange_words = "rev|revs|turn|turns|gon|cycles|raw|adc|ticks|steps|counts|lsb";
+constexpr std::string_view strange_words =
+    "rev|revs|turn|turns|gon|cycles|raw|adc|ticks|steps|counts|lsb|frame|frames|picture|pictures|sample|samples|rows";
 
 // As people write units, beside our suffixes.
 constexpr std::array unit_words = {UnitWords{"s", "sec|secs|second|seconds|Sekunden"},
                                    UnitWords{"ms", "msec|millis|milliseconds"},
-                                   UnitWords{"us", "\xc2\xb5s|\xce\xbcs|usec|micros"},
-                                   UnitWords{"ns", "nsec"},
+                                   UnitWords{"us", "\xc2\xb5s|\xce\xbcs|usec|micros|microseconds"},
+                                   UnitWords{"ns", "nsec|nanosec|nanoseconds"},
+                                   UnitWords{"min", "minute|minutes|Minuten"},
+                                   UnitWords{"h", "hr|hrs|hour|hours|Stunden"},
+                                   UnitWords{"day", "days|Tage"},
                                    UnitWords{"A", "amp|Amp|amps|Ampere|A."},
                                    UnitWords{"V", "Volt|volt|volts|Volts"},
                                    UnitWords{"deg", "\xc2\xb0|\xc2\xba|degree|degrees|Grad"},
@@ -183,16 +187,6 @@ SeenColumn seen_column(const text::CsvForm& form, std::size_t column) {
     out.ticks = out.ticks && out.values[i] > out.values[i - 1] && out.values[i] == std::floor(out.values[i]);
   }
   return out;
-}
-
-std::string clock_unit(const std::vector<double>& values) {
-  const double first = values.empty() ? 0.0 : values.front();
-  if (first > 1e17) return "ns";
-  if (first > 1e14) return "us";
-  if (first > 1e11) return "ms";
-  const double step = values.size() > 1 ? (values.back() - first) / static_cast<double>(values.size() - 1) : 0.0;
-  const bool whole = std::ranges::all_of(values, [](double value) { return value == std::floor(value); });
-  return whole && step > 100.0 && first < 1e8 ? "us" : whole && step >= 1.0 && first < 1e8 ? "ms" : "s";
 }
 
 ColumnWords words_of(std::string_view name) {

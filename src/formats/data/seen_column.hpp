@@ -42,7 +42,4 @@ struct SeenColumn {
 /// Looks at a column of the first rows of a table.
 [[nodiscard]] SeenColumn seen_column(const text::CsvForm& form, std::size_t column);
 
-/// The unit that the numbers of a clock without one are in: those since 1970 by their size, whole ones by their steps.
-[[nodiscard]] std::string clock_unit(const std::vector<double>& values);
-
 }  // namespace coilwright::formats

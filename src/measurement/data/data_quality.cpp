@@ -45,7 +45,8 @@ std::optional<std::string> constant_input(const Run& run) {
   if (std::ranges::adjacent_find(run.inputs, std::ranges::not_equal_to()) != run.inputs.end()) return std::nullopt;
   if (run.kind == RunKind::blocked_force)
     return "the current is the same in every sample: nothing tells force from bias";
-  return "the input never moves, and the run starts at rest under it: only slow effects and noise can show";
+  return "the input never moves, and the run starts at rest under it: only slow effects and noise can show; where "
+         "nothing moves in it, \"kind\": \"still\" makes it tell the noise of all runs";
 }
 
 // Root mean square of the change from one sample to the next.

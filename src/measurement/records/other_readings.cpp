@@ -22,14 +22,17 @@ using Of = OtherReading::Of;
 constexpr double least_factor = 4.0;
 constexpr double least_factor_of_input = 50.0;
 constexpr double zero_degC = 273.15;  // K
-constexpr std::array frame_rates = {24.0,  25.0,  30.0,  50.0,  60.0,  90.0,  100.0, 120.0, 200.0,
+constexpr std::array frame_rates = {5.0,   10.0,  12.0,  15.0,  20.0,  24.0,  25.0,  30.0,
+                                    48.0,  50.0,  60.0,  90.0,  100.0, 120.0, 150.0, 200.0,
                                     240.0, 250.0, 300.0, 400.0, 480.0, 500.0, 960.0, 1000.0};
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 16> words = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 18> words = {{
     {"s", "seconds"},
     {"ms", "milliseconds"},
     {"us", "microseconds"},
     {"min", "minutes"},
+    {"h", "hours"},
+    {"day", "days"},
     {"deg", "degrees"},
     {"rad", "radians"},
     {"A", "amperes"},
@@ -108,12 +111,6 @@ std::string usual_input_name(const data::Run& run) {
   return "torque1_Nm";
 }
 
-bool counts_frames(const data::Run& run) {
-  for (std::size_t i = 1; i < run.times.size(); ++i)
-    if (run.times[i] - run.times[i - 1] != 1.0) return false;
-  return run.times.size() > 1 && run.times.front() == std::floor(run.times.front());
-}
-
 void add_times(std::vector<OtherReading>& out, const data::Run& run) {
   OtherReading time{.of = Of::time, .column = "time_s"};
   for (const bool of_input : {true, false}) {
@@ -122,12 +119,12 @@ void add_times(std::vector<OtherReading>& out, const data::Run& run) {
     add_units_either_way(out, time);
   }
   time.of_input_clock = true;
-  if (run.kind != data::RunKind::transient || !counts_frames(run)) return;
+  if (run.kind != data::RunKind::transient || !counts_by_ones(run)) return;
   time.counts = true;
   for (const double rate : frame_rates) {
     time.factor = 1.0 / rate;
     time.looks_like = fmt::format("frame numbers, at {:.0f} frames a second", rate);
-    time.remedy = "divide it by the frame rate";
+    time.remedy = frame_remedy(rate);
     out.push_back(time);
   }
 }
@@ -153,6 +150,22 @@ void add_channels(std::vector<OtherReading>& out, const data::Run& run) {
 }
 
 }  // namespace
+
+// Pictures that were dropped leave gaps.
+bool counts_by_ones(const data::Run& run) {
+  std::size_t ones = 0;
+  for (std::size_t i = 0; i < run.times.size(); ++i) {
+    if (run.times[i] != std::floor(run.times[i])) return false;
+    if (i > 0 && run.times[i] - run.times[i - 1] == 1.0) ++ones;
+  }
+  return 2 * ones >= run.times.size();
+}
+
+std::string frame_remedy(double rate) {
+  return fmt::format(
+      R"(tell the time from one to the next in dataset.json, "columns": {{"time_s": {{"as": "time_s", "factor": {:.9g}}}}})",
+      1.0 / rate);
+}
 
 std::vector<OtherReading> other_readings(const data::Run& run) {
   std::vector<OtherReading> out;

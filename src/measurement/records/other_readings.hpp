@@ -26,9 +26,15 @@ struct OtherReading {
 
 /// The readings of a record's columns in every other unit of the table (units::all_units) whose number differs by a
 /// factor of 4 or more (50, of what is no channel), or by an offset, and with the other sign; of times that are whole
-/// numbers one after the other also as frames of the usual cameras. Positions are the angle, opening and height of a
-/// bench.
+/// numbers one after the other (counts_by_ones) also as frames of the usual cameras. Positions are the angle, opening
+/// and height of a bench.
 [[nodiscard]] std::vector<OtherReading> other_readings(const data::Run& run);
+
+/// Whether the times of a run are whole numbers, most of them one after the other, as pictures and rows are numbered.
+[[nodiscard]] bool counts_by_ones(const data::Run& run);
+
+/// What makes times of such numbers, at `rate` (1/s, > 0).
+[[nodiscard]] std::string frame_remedy(double rate);
 
 /// The record as it was meant then.
 [[nodiscard]] data::Run read_as(data::Run run, const OtherReading& reading);

@@ -15,6 +15,7 @@
 #include "measurement/fit/hypothesis.hpp"
 #include "measurement/records/declared_readings.hpp"
 #include "measurement/records/other_readings.hpp"
+#include "measurement/records/possible_clock.hpp"
 #include "measurement/replay/if_possible.hpp"
 
 namespace coilwright::measurement::records {
@@ -38,15 +39,17 @@ constexpr double as_near = 0.02;
 // So that a large set costs no more than a second.
 constexpr std::size_t enough_motions = 24;
 
+// Nothing where the model cannot follow the input, or where numbers that were meant otherwise are none it can be asked
+// for.
+using Readings = std::optional<std::vector<DeclaredReadings>>;
+
 // The declared model, asked what a run should show.
 struct Declared {
   const replay::DeclaredModel& model;
   fit::Hypothesis as_declared;
 
-  // Nothing where it cannot follow the input, or where numbers that were meant otherwise are none it can be asked for.
-  [[nodiscard]] std::optional<std::vector<DeclaredReadings>> readings_of(const data::Run& run) const {
-    using Readings = std::vector<DeclaredReadings>;
-    return replay::if_possible<Readings>([&] { return declared_readings(run, model, as_declared); });
+  [[nodiscard]] Readings readings_of(const data::Run& run) const {
+    return replay::if_possible<Readings::value_type>([&] { return declared_readings(run, model, as_declared); });
   }
 };
 
@@ -72,8 +75,7 @@ struct Comparison {
 };
 
 // Of the channels that `reading` changes; otherwise of all angles of a motion, or of a bench.
-std::optional<Comparison> comparison_of(const std::optional<std::vector<DeclaredReadings>>& readings,
-                                        const OtherReading& reading) {
+std::optional<Comparison> comparison_of(const Readings& readings, const OtherReading& reading) {
   if (!readings) return std::nullopt;
   const bool angles = std::ranges::any_of(*readings, [](const auto& each) { return is_angle(*each.channel); });
   Comparison out;
@@ -97,14 +99,12 @@ bool is_slip(const OtherReading& reading, const Comparison& meant, const std::op
            (!written || meant.distance.whole() <= much_nearer * written->distance.whole());
   if (reading.offset != 0.0)
     return written && meant.first <= far_better * written->first && meant.misses_less(written, half);
-  return meant.follows() && meant.misses_less(written, reading.counts ? better : far_better);
+  return meant.follows() && meant.misses_less(written, far_better);
 }
 
-// Whether another reading need not be looked at: what follows the record as it is written is meant so, but for times
-// that count.
-bool is_right(const OtherReading& reading, const Comparison& written) {
-  if (has_natural_zero(written.kind)) return written.distance.whole() < half;
-  return written.follows() && !reading.counts;
+// Whether no other reading need be looked at: what follows the record as it is written is meant so.
+bool is_right(const Comparison& written) {
+  return has_natural_zero(written.kind) ? written.distance.whole() < half : written.follows();
 }
 
 std::string missed_text(const Comparison& found) {
@@ -151,33 +151,50 @@ RecordSlip slip(const data::Run& run, const OtherReading& reading, const Compari
                   reading.remedy));
 }
 
-// Motions whose clock no camera has, before anything is simulated as it is written: that would take a thousand times as
-// long. Seconds that are called milliseconds are a record of 2 s that lasts 2 ms, in which nothing moves; one that is
-// followed as it is written is a fast camera's, or an encoder's.
-void require_clock(const data::Run& run, const Declared& declared) {
-  constexpr double slowest_camera = 0.5;   // s
-  constexpr double fastest_camera = 5e-4;  // s
-  if (run.times.size() < 3) return;
+std::string missed_as_written(const std::optional<Comparison>& written) {
+  return written && std::isfinite(written->squares.missed) ? fmt::format("by {}", missed_text(*written))
+                                                           : std::string("by more than it can simulate");
+}
+
+// A slip that may be named, and what it is held against; nothing where that cannot be simulated.
+struct Found {
+  OtherReading reading;
+  Comparison meant;
+  std::optional<Comparison> written{};
+  double unusual{};
+};
+
+// The clocks of motions. One that is slower than any camera's is not simulated as it is written, which would take a
+// thousand times as long, but where it counts. Seconds that are called milliseconds are a record of 2 s that lasts 2
+// ms, in which nothing moves; one that is followed as it is written is a fast camera's, or an encoder's. Of several
+// units that a camera may have, such as hours and days, the model tells by which it misses least. Returns what the
+// model declares as it is written.
+Readings readings_on_its_clock(const data::Run& run, const Declared& declared) {
+  if (run.times.size() < 3) return declared.readings_of(run);
   const double interval = data::median_interval(run);
-  const auto has_a_camera = [](double seconds) { return seconds > fastest_camera && seconds < slowest_camera; };
-  const bool slow = interval >= slowest_camera;
-  if (has_a_camera(interval)) return;
+  const bool counts = counts_by_ones(run);
+  const bool slow = interval >= slowest_camera && !counts;
+  Readings as_written = slow ? std::nullopt : declared.readings_of(run);
+  const auto written = comparison_of(as_written, {.of = Of::time});
+  const bool follows = written && written->follows();
+  std::optional<Found> best;
   for (const OtherReading& reading : other_readings(run)) {
-    if (reading.of != Of::time || reading.counts || !has_a_camera(reading.factor * interval)) continue;
+    if (reading.of != Of::time || !is_of_a_camera(reading.factor * interval) || (follows && !reading.counts)) continue;
     const data::Run run_meant = read_as(run, reading);
     const auto meant = comparison_of(declared.readings_of(run_meant), reading);
-    if (!meant || !meant->follows()) continue;
-    if (!slow) {
-      const auto written = comparison_of(declared.readings_of(run), reading);
-      if (written && (written->follows() || !meant->misses_less(written, far_better))) continue;
-    }
-    throw slip(run, reading, *meant, fmt::format("there is a sample every {:.3g} s", interval));
+    if (!meant || !meant->follows() || !meant->misses_less(written, reading.counts ? better : far_better)) continue;
+    if (!best || meant->relative() < best->meant.relative()) best = {reading, *meant, written};
   }
+  if (best)
+    throw slip(run, best->reading, best->meant,
+               counts ? missed_as_written(written) : fmt::format("there is a sample every {:.3g} s", interval));
+  if (!follows) require_possible_clock(run);
+  return slow ? declared.readings_of(run) : as_written;
 }
 
 // The comparison of `run` as it may have been meant. What the model declares does not follow from the channels.
-std::optional<Comparison> meant_as(const OtherReading& reading, const data::Run& run,
-                                   std::optional<std::vector<DeclaredReadings>> as_written, const Declared& declared) {
+std::optional<Comparison> meant_as(const OtherReading& reading, const data::Run& run, Readings as_written,
+                                   const Declared& declared) {
   if (reading.of != Of::channels) {
     const data::Run meant = read_as(run, reading);
     return comparison_of(declared.readings_of(meant), reading);
@@ -200,19 +217,12 @@ double unusual_current(const data::Run& run, const OtherReading& reading) {
 
 void require_no_slip_of(const data::Run& run, const Declared& declared) {
   const bool motion = run.kind == data::RunKind::transient;
-  if (motion) require_clock(run, declared);
-  const auto as_written = declared.readings_of(run);
-  struct Found {
-    OtherReading reading;
-    Comparison meant;
-    std::optional<Comparison> written;
-    double unusual{};
-  };
+  const Readings as_written = motion ? readings_on_its_clock(run, declared) : declared.readings_of(run);
   std::optional<Found> best;
   for (const OtherReading& reading : other_readings(run)) {
-    if (motion && reading.of == Of::time && !reading.counts) continue;
+    if (motion && reading.of == Of::time) continue;
     const std::optional<Comparison> written = comparison_of(as_written, reading);
-    if (written && is_right(reading, *written)) continue;
+    if (written && is_right(*written)) continue;
     const auto meant = meant_as(reading, run, as_written, declared);
     if (!meant || !is_slip(reading, *meant, written)) continue;
     const double unusual = unusual_current(run, reading);
@@ -220,10 +230,7 @@ void require_no_slip_of(const data::Run& run, const Declared& declared) {
     if (std::abs(ahead) <= as_near ? unusual < best->unusual : ahead > 0.0) best = {reading, *meant, written, unusual};
   }
   if (!best) return;
-  throw slip(run, best->reading, best->meant,
-             best->written && std::isfinite(best->written->squares.missed)
-                 ? fmt::format("by {}", missed_text(*best->written))
-                 : std::string("by more than it can simulate"));
+  throw slip(run, best->reading, best->meant, missed_as_written(best->written));
 }
 
 }  // namespace
@@ -234,7 +241,10 @@ void require_no_slip(std::span<const data::Run> runs, const replay::DeclaredMode
   std::size_t motions = 0;
   for (const data::Run& run : runs) {
     if (run.kind == data::RunKind::still) continue;
-    if (run.kind == data::RunKind::transient && (!is_motion_of_angles(run) || motions++ >= enough_motions)) continue;
+    if (run.kind == data::RunKind::transient && (!is_motion_of_angles(run) || motions++ >= enough_motions)) {
+      require_possible_clock(run);
+      continue;
+    }
     require_no_slip_of(run, declared);
   }
 }

@@ -19,7 +19,8 @@ namespace coilwright::measurement::records {
 /// their ratio: the slip is five times nearer, on the scale of logarithms, and what is left is of the declared shape.
 ///
 /// The first two dozen motions and all benches are tried, each by itself. Throws RecordSlip naming run, column, both
-/// misses and the remedy. Says nothing of still runs, and of motions without an angle or another start.
+/// misses and the remedy. Of motions without an angle or with another start, and where the model follows the times in
+/// no unit, it tells times that are none by their spacing (require_possible_clock). Says nothing of still runs.
 void require_no_slip(std::span<const data::Run> runs, const replay::DeclaredModel& declared);
 
 }  // namespace coilwright::measurement::records

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/text/spelling.hpp"
 #include "coilwright/units/unit.hpp"
+#include "text/csv/csv_fields.hpp"
 
 namespace coilwright::text {
 namespace {
@@ -56,6 +58,7 @@ CsvHeader::CsvHeader(std::string file, const CsvForm& form, const CsvLayout& lay
   }
   map_columns(layout);
   add_computed(layout);
+  join_clock();
   for (std::size_t i = 0; i < columns_.size(); ++i)
     if (columns_[i].name.empty() && form.is_empty(i)) left_alone_.insert(i);
 }
@@ -131,6 +134,30 @@ void CsvHeader::add_computed(const CsvLayout& layout) {
                       .label = "time_s by the sampling rate",
                       .from = Column::From::row_number,
                       .factor = 1.0 / *layout.sampling_rate});
+}
+
+void CsvHeader::join_clock() {
+  std::vector<std::size_t> times;
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    if (!left_alone_.contains(i) && columns_[i].from == Column::From::field && columns_[i].name.starts_with("time_") &&
+        quantity_of(columns_[i].name) == "time")
+      times.push_back(i);
+  if (times.size() != 2) return;
+  if (columns_[times[1]].name == "time_s") std::swap(times[0], times[1]);
+  Column& whole = columns_[times[0]];
+  const Column& part = columns_[times[1]];
+  const double unit = units::to_si(1.0, units::split_unit(part.name)->unit);
+  if (whole.name != "time_s" || unit >= 1.0) return;
+  // The same clock in two units is none of two parts.
+  for (const auto& row : form_->sample) {
+    if (row.size() <= std::max(whole.index, part.index)) return;
+    const auto seconds = number_of(row[whole.index], form_->decimal), rest = number_of(row[part.index], form_->decimal);
+    if (!seconds || !rest || *seconds != std::floor(*seconds) || *rest < 0.0 || *rest * unit >= 1.0) return;
+  }
+  whole.part = part.index;
+  whole.part_unit = unit;
+  whole.label += fmt::format(" with {}", part.label);
+  left_alone_.insert(times[1]);
 }
 
 std::size_t CsvHeader::index_of(std::string_view name) const {

@@ -121,6 +121,15 @@ double CsvTableBuilder::angle(const Markers& markers, std::span<const std::strin
   return from_down(0) - (at.size() > 4 ? from_down(4) : 0.0);
 }
 
+std::optional<double> CsvTableBuilder::time_of(const CsvHeader::Column& column,
+                                               std::span<const std::string_view> fields) {
+  const auto whole = clock_->take(fields[column.index]);
+  if (!whole || !column.part) return whole;
+  const auto part = number_of(fields[*column.part], decimal_);
+  const bool is_part = part && *part >= 0.0 && *part * column.part_unit < 1.0;
+  return is_part ? std::optional(*whole + *part * column.part_unit) : std::nullopt;
+}
+
 void CsvTableBuilder::fill(Column& each, std::span<const std::string_view> fields, std::size_t line) {
   const CsvHeader::Column& column = each.column;
   if (column.from == From::row_number) {
@@ -131,7 +140,7 @@ void CsvTableBuilder::fill(Column& each, std::span<const std::string_view> field
       each.value = column.factor * each.unwrapped(each.value) + units::to_si(column.offset, each.unit);
   } else {
     const std::string_view field = fields[column.index];
-    const auto value = each.time ? clock_->take(field) : number_of(field, decimal_);
+    const auto value = each.time ? time_of(column, fields) : number_of(field, decimal_);
     if (each.time && value) {
       each.value = *value;
     } else if (value) {

@@ -54,6 +54,8 @@ class CsvTableBuilder {
 
   void add_markers(const CsvForm& form, const CsvLayout& layout);
   void fill(Column& column, std::span<const std::string_view> fields, std::size_t line);
+  [[nodiscard]] std::optional<double> time_of(const CsvHeader::Column& column,
+                                              std::span<const std::string_view> fields);
   [[nodiscard]] double angle(const Markers& markers, std::span<const std::string_view> fields, std::size_t line) const;
   [[nodiscard]] InputError at_fault(std::size_t line, const std::string& label, std::string_view field) const;
 

@@ -322,11 +322,19 @@ TEST_F(DatasetFiles, RefuseAnInputThatDoesNotFitTheMeasurement) {
     write("fed.csv", content);
     return runs_refusal(run_c + R"(, "clock_offset_s": 0.005})");
   };
-  EXPECT_EQ(fed("time_s,current_A\n0.13,0\n0.3,1.4\n"),
-            "fed.csv: line 2: column time_s: must not begin after the measurement of seen.csv does (0.1 s); got 0.13");
+  EXPECT_EQ(
+      fed("time_s,current_A\n0.13,0\n0.3,1.4\n"),
+      "fed.csv: line 2: column time_s: must not begin after the measurement of seen.csv does (0.1 s); if the input was "
+      "held there, repeat its first row with the time 0.1, else delete the rows of seen.csv before it; got 0.13");
   EXPECT_EQ(fed("time_s,current_A\n0.1,0\n0.12,0\n0.13,1.4\n"),
             "fed.csv: line 4: column time_s: must reach the end of the measurement of seen.csv (0.2 s) to within the "
-            "longest interval of the input (0.02 s); an input that is held is repeated there; got 0.13");
+            "longest interval of the input (0.02 s); if the input was held there, repeat its last row with the time "
+            "0.2, else "
+            "delete the rows of seen.csv after it; got 0.13");
+  // Both cures, as they are told; and another unit, which either would hide.
+  EXPECT_EQ(fed("time_s,current_A\n0.1,0\n0.12,0\n0.13,1.4\n0.2,1.4\n"), "accepted");
+  EXPECT_THAT(fed("time_s,current_A\n100,0\n120,0\n300,1.4\n"),
+              ::testing::HasSubstr("is one of them in another unit?"));
   EXPECT_EQ(fed("time_s,current_A,bending_angle_deg\n0,0,1\n0.3,1.4,2\n"),
             "fed.csv: line 1: column bending_angle_deg: is in seen.csv too; a column may be in one of the two only");
   EXPECT_EQ(
@@ -334,13 +342,14 @@ TEST_F(DatasetFiles, RefuseAnInputThatDoesNotFitTheMeasurement) {
       "fed.csv: line 1: column bending_deg: unknown column; there may be time_s, current_A, current1_A.., "
       "voltage_V, torque1_Nm..; what is to be left alone is named in \"ignore\" in dataset.json, by name or position "
       "(\"#1\"); the columns are \"time_s\", \"bending_deg\", and dataset.json must say the input: a column of current "
-      "or voltage in this file, or another file with one, named by \"input_file\"; the rest is \"ignore\": "
+      "or voltage in this file, or another file with one, named by \"input_file\"; or \"kind\": \"still\" if nothing "
+      "moves in it; the rest is \"ignore\": "
       "[\"bending_deg\"]");
   EXPECT_EQ(
       fed("time_s\n0\n0.3\n"),
       "fed.csv: line 1: must have an input column: current_A, current1_A.., voltage_V or torque1_Nm..; the columns are "
       "\"time_s\", and dataset.json must say the input: a column of current or voltage in this file, or another file "
-      "with one, named by \"input_file\"");
+      "with one, named by \"input_file\"; or \"kind\": \"still\" if nothing moves in it");
   write("seen.csv", step);
   EXPECT_EQ(fed("time_s,current_A\n0,0\n0.3,1.4\n"),
             "seen.csv: line 1: must have no input column, because the run's \"input_file\" has the input");

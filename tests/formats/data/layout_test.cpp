@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -30,16 +31,29 @@ using ::testing::IsEmpty;
 const fs::path records = COILWRIGHT_SOURCE_DIR "/tests/data/formats/records";
 
 // The same motion as other programs write it; tests/data/formats_SOURCES.md says how they were made.
-const std::vector<std::string> kinds = {"arduino.txt",         "arduino_monitor.txt",
-                                        "comsol.txt",          "excel_german.csv",
-                                        "excel_two_lines.csv", "keysight.csv",
-                                        "labview.lvm",         "matlab.csv",
-                                        "numpy.txt",           "pandas.csv",
-                                        "picoscope.csv",       "pandas_stamps.csv",
-                                        "plain.csv",           "r.txt",
-                                        "rigol.csv",           "ros.csv",
-                                        "saleae.csv",          "scope_beside.csv",
-                                        "tektronix.csv",       "tracker.txt"};
+const std::vector<std::string> kinds = {"arduino.txt",
+                                        "arduino_monitor.txt",
+                                        "comsol.txt",
+                                        "excel_german.csv",
+                                        "excel_two_lines.csv",
+                                        "keysight.csv",
+                                        "hours.csv",
+                                        "ros2.csv",
+                                        "pandas_timedelta.csv",
+                                        "labview.lvm",
+                                        "matlab.csv",
+                                        "numpy.txt",
+                                        "pandas.csv",
+                                        "picoscope.csv",
+                                        "pandas_stamps.csv",
+                                        "plain.csv",
+                                        "r.txt",
+                                        "rigol.csv",
+                                        "ros.csv",
+                                        "saleae.csv",
+                                        "scope_beside.csv",
+                                        "tektronix.csv",
+                                        "tracker.txt"};
 
 Record only_record(std::string_view document) {
   const DatasetFile set = parse_dataset(document, (records / "dataset.json").string());
@@ -167,6 +181,39 @@ TEST_F(OwnRecords, AreScaledTurnedAndShifted) {
               ElementsAre(ElementsAre(0.0), ElementsAre(DoubleNear(0.7, 1e-15)), ElementsAre(DoubleNear(1.4, 1e-15))));
   EXPECT_THAT(run.channels[0].values, ElementsAre(DoubleNear(9 * degree, 1e-15), DoubleNear(10 * degree, 1e-15),
                                                   DoubleNear(11 * degree, 1e-15)));
+}
+
+// What has no unit in its name and more than one by its numbers is asked, and the cure is one of those that are told.
+TEST_F(OwnRecords, AreAskedForAUnitOfTimeThatNumbersDoNotTell) {
+  const auto rows = [](double step) {
+    std::string out = "t,current_A,bending_angle_deg\n";
+    for (int i = 0; i < 12; ++i) out += fmt::format("{},{},{}\n", i * step, i / 4, 7 + i % 3);
+    return out;
+  };
+  EXPECT_THAT(
+      refusal("", rows(0.002 / 3600.0)),
+      HasSubstr(
+          R"(dataset.json must say what "t" counts: "columns": {"t": "time_h"} or "columns": {"t": "time_day"})"));
+  EXPECT_NEAR(read(R"("columns": {"t": "time_h"})", rows(0.002 / 3600.0)).times[1], 0.002, 1e-12);
+  EXPECT_THAT(refusal("", rows(1.0)),
+              HasSubstr(R"(goes up by ones: of pictures or rows "columns": {"t": {"as": "time_s", )"
+                        R"("factor": F}})"));
+  EXPECT_NEAR(read(R"("columns": {"t": {"as": "time_s", "factor": 0.0166666667}})", rows(1.0)).times[11], 11 / 60.0,
+              1e-8);
+}
+
+// Seconds and the part of one are joined only where they are that.
+TEST_F(OwnRecords, JoinSecondsAndTheirPart) {
+  const std::string rows = "sec,nanosec,current_A,theta1_deg\n12,999000000,0,7\n13,1000000,1,8\n13,3000000,1,9\n";
+  const std::string keys = R"("columns": {"sec": "time_s", "nanosec": "time_ns"})";
+  EXPECT_THAT(read(keys, rows).times,
+              ElementsAre(DoubleNear(12.999, 1e-12), DoubleNear(13.001, 1e-12), DoubleNear(13.003, 1e-12)));
+  EXPECT_THAT(refusal("", rows), HasSubstr(keys));
+  EXPECT_THAT(refusal(keys, "sec,nanosec,current_A,theta1_deg\n12,12000000000,0,7\n13,13000000000,1,8\n"),
+              EndsWith("column \"nanosec\" as time_ns: must not be there twice"));
+  std::string later = rows;
+  for (int i = 0; i < 9000; ++i) later += fmt::format("{},5000000,1,9\n", 14 + i);
+  EXPECT_THAT(refusal(keys, later + "9999,-1,1,9\n"), HasSubstr("must be a finite number"));
 }
 
 TEST_F(OwnRecords, AreToldByWhatWasMeasuredAndNotBySetpoints) {

@@ -24,6 +24,7 @@ inline constexpr std::size_t csv_value_limit = 20'000'000;  ///< numbers that ar
 /// The columns of a CSV table, asked for as an ObjectReader is for its keys.
 ///
 /// A column is named by its quantity and a unit, "theta1_deg"; any unit of the same dimension may stand there instead.
+/// A time in whole seconds ("time_s") beside one of parts of a second ("time_ns") is one time, as ROS 2 writes it.
 /// Throws InputError naming file, line, column and rule.
 class CsvHeader {
  public:
@@ -38,6 +39,8 @@ class CsvHeader {
     double factor{1.0};   ///< as of CsvColumn
     double offset{0.0};
     double period{0.0};
+    std::optional<std::size_t> part{};  ///< of whole seconds: the field that has the part of a second
+    double part_unit{};                 ///< of that, s
   };
 
   /// `form` and `layout` must outlive the header.
@@ -81,6 +84,7 @@ class CsvHeader {
   [[nodiscard]] std::size_t line() const;
   void map_columns(const CsvLayout& layout);
   void add_computed(const CsvLayout& layout);
+  void join_clock();
   [[nodiscard]] std::optional<std::size_t> field_of(std::string_view source);
   [[nodiscard]] std::size_t index_of(std::string_view name) const;
   bool ask(std::string_view name);

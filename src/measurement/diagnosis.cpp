@@ -21,6 +21,7 @@
 #include "measurement/fit/outliers.hpp"
 #include "measurement/fit/parallel.hpp"
 #include "measurement/identification/curvature.hpp"
+#include "measurement/identification/free_numbers.hpp"
 #include "measurement/identification/hypothesis_search.hpp"
 #include "measurement/identification/insensitive_parameters.hpp"
 #include "measurement/identification/intervals.hpp"
@@ -210,7 +211,8 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   // What is wrong with the records is said before the work: its answer would come to nothing.
   if (options.warn)
     for (const data::Warning& each : out.warnings) options.warn(each);
-  set_outliers_aside_twice(runs, declared, data.still, usable.runs);
+  const replay::DeclaredModel fitted_from = identification::with_free_numbers_of_records(runs, declared);
+  set_outliers_aside_twice(runs, fitted_from, data.still, usable.runs);
   timer.end_phase("noise and outliers");
 
   out.held_exact = declared.held_exact;
@@ -219,7 +221,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   };
   identification::Attribution found = identification::attribute(
       {.runs = runs,
-       .declared = &declared,
+       .declared = &fitted_from,
        .seed = options.seed,
        .progress = options.progress,
        .known = options.known ? make_known : decltype(identification::AttributionRequest::known){},

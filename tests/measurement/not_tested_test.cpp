@@ -14,6 +14,7 @@
 #include "coilwright/formats/data/declared_actuator.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
 #include "coilwright/simulation/transient.hpp"
+#include "measurement/ball_on_a_string.hpp"
 #include "measurement/random_numbers.hpp"
 
 // What no motion, torque or current of a record could show is neither named nor ruled out.
@@ -37,61 +38,6 @@ std::vector<std::string_view> ids_not_tested(const Diagnosis& found) {
   return identification::ids_of(found.odds.not_tested());
 }
 
-// A ball on a string that is let go: m l^2 theta'' = -m g l sin(theta) - d theta', by Runge and Kutta in steps of 0.1
-// ms.
-struct Ball {
-  double length = 0.332;  // m
-  double damping = 6e-5;  // N m s/rad
-  double angle = 0.9;     // rad
-  double rate = 0.0;      // rad/s
-  double mass = 0.015;    // kg
-  double noise = 0.5 * degree;
-
-  [[nodiscard]] data::Run filmed(double duration, double pictures_a_second, unsigned seed) const {
-    data::Run run{.name = "swing.csv",
-                  .kind = data::RunKind::transient,
-                  .drive = data::Drive::torque,
-                  .start = data::Start::free,
-                  .channels = {{.name = "bending_angle_deg", .kind = data::ChannelKind::bending_angle}}};
-    Normal normal(seed);
-    const double inertia = mass * length * length;
-    const auto acceleration = [&](double theta, double omega) {
-      return -9.81 / length * std::sin(theta) - damping / inertia * omega;
-    };
-    double theta = angle;
-    double omega = rate;
-    constexpr double step = 1e-4;
-    double time = 0.0;
-    for (int i = 0; i <= duration * pictures_a_second; ++i) {
-      const double stamp = i / pictures_a_second;
-      while (time < stamp - 0.5 * step) {
-        const double k1 = acceleration(theta, omega);
-        const double k2 = acceleration(theta + 0.5 * step * omega, omega + 0.5 * step * k1);
-        const double k3 = acceleration(theta + 0.5 * step * (omega + 0.5 * step * k1), omega + 0.5 * step * k2);
-        const double k4 = acceleration(theta + step * (omega + 0.5 * step * k2), omega + step * k3);
-        theta += step * (omega + step * (k1 + k2 + k3) / 6.0);
-        omega += step * (k1 + 2.0 * k2 + 2.0 * k3 + k4) / 6.0;
-        time += step;
-      }
-      run.times.push_back(stamp);
-      run.inputs.push_back({0.0});
-      run.channels.front().values.push_back(theta + noise * normal());
-    }
-    return run;
-  }
-};
-
-// As it is declared: of a length that is 0.6 % too large, and without damping; both are fitted.
-formats::DeclaredActuator ball_of(double length) {
-  static const std::vector<std::string> calibrated{"joint_damping", "/links/0/com_along_m"};
-  return formats::parse_declared_actuator(fmt::format(R"({{"format": "lumped-model/1", "gravity_m_s2": 9.81,
-                       "links": [{{"length_m": {0}, "com_along_m": {0}, "com_offset_m": 0, "mass_kg": 0.015,
-                                   "inertia_kgm2": 0}}],
-                       "joints": [{{"stiffness_Nm_rad": 0, "damping_Nms_rad": 0}}]}})",
-                                                      1.006 * length),
-                                          "ball.json", {.names = calibrated, .file = "dataset.json", .tolerances = {}});
-}
-
 Diagnosis diagnosed_on(std::vector<data::Run> runs, const formats::DeclaredActuator& declared) {
   data::Dataset data;
   data.fit = std::move(runs);
@@ -105,7 +51,8 @@ TEST(NotTested, IsWhatNeedsATorqueInASwingWithoutOne) {
   unsigned seed = 1;
   for (const Ball& ball : balls)
     for (const double duration : {20.0, 30.0}) {
-      const Diagnosis found = diagnosed_on({ball.filmed(duration, 30.0, ++seed)}, ball_of(ball.length));
+      const Diagnosis found =
+          diagnosed_on({ball.filmed(duration, 30.0, ++seed)}, declared_ball(1.006 * ball.length, 0.0));
       EXPECT_EQ(name_of(found.verdict), "no_missing_effect") << ball.length << " m, " << duration << " s";
       EXPECT_THAT(ids_named(found), IsEmpty());
       EXPECT_THAT(ids_not_tested(found), IsSupersetOf({"load_friction", "measurement_delay"}));

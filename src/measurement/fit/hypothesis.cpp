@@ -68,7 +68,8 @@ Eigen::VectorXd Hypothesis::clamped(Eigen::VectorXd values) const {
 Eigen::VectorXd Hypothesis::start() const {
   Eigen::VectorXd out(size());
   Eigen::Index at = 0;
-  for (const replay::CalibrationParameter& number : declared_->calibration) out[at++] = number.declared;
+  for (const replay::CalibrationParameter& number : declared_->calibration)
+    out[at++] = number.start.value_or(number.declared);
   for (std::size_t e = 0; e < effects_.size(); ++e)
     for (const std::size_t number : effect_parameters_[e].numbers) out[at++] = effects_[e].values[number];
   return clamped(std::move(out));

@@ -50,7 +50,8 @@ class Hypothesis {
   [[nodiscard]] Eigen::VectorXd scales() const;
   /// `values` clamped to the bounds.
   [[nodiscard]] Eigen::VectorXd clamped(Eigen::VectorXd values) const;
-  /// The calibration as declared and the numbers of the effects given to the constructor, clamped to the bounds.
+  /// Where a fit of the calibration starts, as declared unless CalibrationParameter::start says otherwise, and the
+  /// numbers of the effects given to the constructor, clamped to the bounds.
   [[nodiscard]] Eigen::VectorXd start() const;
   /// The effects with the numbers in `values`.
   [[nodiscard]] std::vector<actuator::Effect> effects_at(const Eigen::VectorXd& values) const;

@@ -28,6 +28,10 @@ PredictedStep predicted_step(const fit::Fit& fitted) {
 
 }  // namespace
 
+double promised_fall(const fit::Fit& fitted) {
+  return predicted_step(fitted).fall;
+}
+
 bool has_slow_derivatives(std::span<const replay::PreparedRun> runs, const replay::DeclaredModel& declared) {
   const auto& numbers = declared.calibration;
   if (!std::ranges::all_of(numbers, &replay::CalibrationParameter::calibrated)) return true;

@@ -23,6 +23,9 @@ struct PlannedFit {
 [[nodiscard]] bool has_slow_derivatives(std::span<const replay::PreparedRun> runs,
                                         const replay::DeclaredModel& declared);
 
+/// How far the objective would still fall, were it as the derivatives of a fit say where it ended.
+[[nodiscard]] double promised_fall(const fit::Fit& fitted);
+
 /// A fit that goes on turn by turn. Where derivatives cost much, they are taken where a turn begins and follow it to
 /// its end. With derivatives of another place a fit ends where these see no way down, which is near its optimum only if
 /// they have hardly changed: they are taken anew there, and another turn begins as long as they promise more. Where no

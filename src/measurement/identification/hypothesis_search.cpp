@@ -23,6 +23,7 @@
 #include "measurement/identification/recalibration.hpp"
 #include "measurement/identification/rig_scale.hpp"
 #include "measurement/identification/search_effort.hpp"
+#include "measurement/identification/settled_fits.hpp"
 #include "measurement/identification/settled_model_error.hpp"
 #include "measurement/identification/staged_fit.hpp"
 #include "measurement/identification/window_subsample.hpp"
@@ -80,18 +81,20 @@ class HypothesisSearch {
   // `may_weigh_priors`, the runs get the model error of the recalibrated model if that is far from the noise, and long
   // records are searched in part.
   // `singles`: where a comparison with these outliers had its single effects.
+  // `known`: where its fits ended; they start another comparison, too.
   HypothesisSearch(const AttributionRequest& request, bool may_find_outliers, bool may_weigh_priors,
-                   std::vector<Effect>& singles)
+                   std::vector<Effect>& singles, std::vector<KnownPlace>& known)
       : request_(request),
         singles_(singles),
+        known_(known),
         runs_(request.runs),
         may_find_outliers_(may_find_outliers),
         may_weigh_priors_(may_weigh_priors) {}
 
   // Nothing if more outliers were set aside.
   std::optional<Attribution> run() {
-    const FittedHypothesis before = may_weigh_priors_ ? recalibrated_at_its_error(request_.runs, *request_.declared)
-                                                      : recalibrated(request_.runs, *request_.declared);
+    FittedHypothesis before = may_weigh_priors_ ? recalibrated_at_its_error(request_.runs, *request_.declared)
+                                                : recalibrated(request_.runs, *request_.declared);
     const Model nominal = before.hypothesis.model_at(before.fit.values);
     scale_ = rig_scale(runs_, nominal);
     ApplicableKinds applicable = applicable_kinds(request_.effects, nominal);
@@ -103,16 +106,20 @@ class HypothesisSearch {
     const std::optional<FittedHypothesis> on_some = on_subsample_if_far(before);
     compared_with_ = on_some ? &*on_some : &before;
 
-    std::vector<FittedHypothesis> all = compare_levels(on_some ? *on_some : before);
+    std::vector<FittedHypothesis> all = settled_from(on_some ? *on_some : before, compare_levels(*compared_with_));
     if (found_outliers_) return std::nullopt;
     std::vector<RuledOut> on_some_only;
     if (on_some) {
+      all.erase(all.begin());
       const std::vector<FittedHypothesis> best = split_off_the_best(all, overdispersion_);
       for (const FittedHypothesis& each : std::exchange(all, back_on_all_windows(best)))
         on_some_only.push_back(
             {.effects = each.kinds(),
              .remark = fmt::format("was fitted to {} only, where others are better", subsample_->text())});
+      all = settled_from(before, std::move(all));
     }
+    before = all.front();
+    all.erase(all.begin());
     WeighedHypotheses weighed = posterior_of(runs_, before, all, kinds_, scale_, request_.beliefs);
     const auto fit_of = [&](std::size_t place) -> const FittedHypothesis& {
       return weighed.fits[place] == 0 ? before : all[weighed.fits[place] - 1];
@@ -181,6 +188,28 @@ class HypothesisSearch {
       of_the_size_before = nearest_or(level, before).fit.objective();
       level = std::move(next);
     }
+    return all;
+  }
+
+  // See settled(); the model without effects first.
+  [[nodiscard]] std::vector<FittedHypothesis> settled_from(const FittedHypothesis& before,
+                                                           std::vector<FittedHypothesis> all) {
+    all.insert(all.begin(), before);
+    if (!found_outliers_)
+      all = settled({.runs = runs_,
+                     .tested = tested_,
+                     .kinds = kinds_,
+                     .beliefs = request_.beliefs,
+                     .scale = scale_,
+                     .known = known_,
+                     .progress = [this](const std::string& line) { report(line); }},
+                    std::move(all));
+    else
+      std::ranges::stable_sort(all, {}, [](const FittedHypothesis& each) { return each.fit.objective(); });
+    known_.clear();
+    for (const FittedHypothesis& each : all)
+      if (known_.size() < search_effort.heaviest)
+        known_.push_back({.effects = each.hypothesis.effects_at(each.fit.values), .values = each.fit.values});
     return all;
   }
 
@@ -369,6 +398,7 @@ class HypothesisSearch {
 
   const AttributionRequest& request_;
   std::vector<Effect>& singles_;
+  std::vector<KnownPlace>& known_;
   const FittedHypothesis* recalibrated_ = nullptr;
   const FittedHypothesis* compared_with_ = nullptr;  // the same on the windows of the search
   std::vector<FirstImpression> so_far_;              // by short fits
@@ -394,9 +424,10 @@ Attribution attribute(const AttributionRequest& request) {
   int restarts = 0;
   bool may_weigh_priors = true;
   std::vector<Effect> singles;
+  std::vector<KnownPlace> known;
   while (true) {
     std::optional<Attribution> found =
-        HypothesisSearch(request, restarts < most_restarts, may_weigh_priors, singles).run();
+        HypothesisSearch(request, restarts < most_restarts, may_weigh_priors, singles, known).run();
     if (!found) {
       say("more outliers are certain now: the comparison begins anew without them");
       ++restarts;

@@ -93,28 +93,6 @@ std::vector<PlannedFit> with_other_starts(const FittedHypothesis& fitted, std::u
   return out;
 }
 
-std::vector<PlannedFit> with_free_numbers_elsewhere(const FittedHypothesis& fitted) {
-  std::vector<PlannedFit> out;
-  const std::vector<fit::FitParameter>& numbers = fitted.hypothesis.parameters();
-  const auto is_far_off = [&](std::size_t i) {
-    constexpr double far_off = 5.0;  // tolerances
-    return std::abs(numbers[i].distance(fitted.fit.values[static_cast<Eigen::Index>(i)])) > far_off;
-  };
-  const std::size_t declared = fitted.hypothesis.declared().calibration.size();
-  bool any_far_off = false;
-  for (std::size_t i = 0; i < declared; ++i) any_far_off = any_far_off || is_far_off(i);
-  if (!any_far_off) return out;
-  for (std::size_t i = 0; i < declared; ++i) {
-    const double value = fitted.fit.values[static_cast<Eigen::Index>(i)];
-    if (numbers[i].has_prior() || numbers[i].lower != 0.0 || value <= 0.0) continue;
-    for (const double factor : {0.01, 0.1, 10.0, 100.0}) {
-      out.push_back(from_declared_numbers(fitted, fitted.hypothesis.effects_at(fitted.fit.values)));
-      out.back().start[static_cast<Eigen::Index>(i)] = std::min(factor * value, numbers[i].upper);
-    }
-  }
-  return out;
-}
-
 std::vector<PlannedFit> from_own_starts(const FittedHypothesis& fitted, const actuator::RigScale& scale) {
   std::vector<PlannedFit> out;
   const std::vector<Effect>& effects = fitted.hypothesis.effects();

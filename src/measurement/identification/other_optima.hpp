@@ -21,11 +21,6 @@ namespace coilwright::measurement::identification {
 /// `fitted`.
 [[nodiscard]] std::vector<PlannedFit> with_other_starts(const FittedHypothesis& fitted, std::uint64_t seed);
 
-/// Where a declared number ended farther from what was declared than rigs differ, the same hypothesis from the declared
-/// numbers, with each free number that cannot be negative ten and a hundred times as large and as small as it ended: a
-/// damping that begins far from its own takes a mass with it, since a motion shows only their ratio. Empty elsewhere.
-[[nodiscard]] std::vector<PlannedFit> with_free_numbers_elsewhere(const FittedHypothesis& fitted);
-
 /// Of a hypothesis with one effect of several numbers: the same from the declared numbers and from each start of the
 /// effect's own, as strong as that is. What a linearisation at the recalibrated model predicts of an attraction's
 /// strength, range and side leads away from the right one where declared numbers have been pulled far. Empty for

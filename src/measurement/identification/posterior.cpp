@@ -25,13 +25,6 @@ double log_binomial(std::size_t of, std::size_t taken) {
 // Of a discrepancy all records together tell as much as so many values of it that are independent of one another.
 constexpr double values_that_count = 30.0;
 
-// How much of the logarithm of the evidence counts. A discrepancy is no process that time makes anew: what a model
-// lacks comes back with every motion like the last one, and so does what a wrong effect can make of it.
-double share_of_evidence(const WeighedFit& heaviest) {
-  if (heaviest.probability_of_noise >= 0.5) return 1.0;
-  return std::min(1.0, values_that_count / heaviest.values_of_discrepancy);
-}
-
 // What are weights becomes probabilities.
 void add_up_to_one(Posterior& posterior) {
   double sum = 0.0;
@@ -45,6 +38,13 @@ bool are_among(const std::vector<const EffectKind*>& some, const std::vector<con
   return std::ranges::all_of(some, [&](const EffectKind* each) {
     return std::ranges::any_of(of, [&](const EffectKind* one) { return one->id() == each->id(); });
   });
+}
+
+// A discrepancy is no process that time makes anew: what a model
+// lacks comes back with every motion like the last one, and so does what a wrong effect can make of it.
+double share_of_evidence(const WeighedFit& heaviest) {
+  if (heaviest.probability_of_noise >= 0.5) return 1.0;
+  return std::min(1.0, values_that_count / heaviest.values_of_discrepancy);
 }
 
 std::vector<std::string_view> ids_of(const std::vector<const EffectKind*>& effects) {

@@ -20,6 +20,10 @@ namespace coilwright::measurement::identification {
                                const std::vector<const actuator::EffectKind*>& kinds,
                                std::span<const Belief> beliefs = {});
 
+/// How much of the logarithm of the evidence counts: all of it where the heaviest hypothesis leaves noise, see
+/// posterior_of().
+[[nodiscard]] double share_of_evidence(const WeighedFit& heaviest);
+
 /// Hypotheses with what was found of each.
 struct WeighedHypotheses {
   Posterior posterior{};

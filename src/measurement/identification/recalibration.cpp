@@ -58,7 +58,6 @@ FittedHypothesis best_local_optimum(std::span<const replay::PreparedRun> runs, F
   };
   const FittedHypothesis first = out;
   take_best(with_other_starts(first, 0));
-  take_best(with_free_numbers_elsewhere(first));
   constexpr int most_moves = 3;
   for (int move = 0; move < most_moves; ++move) {
     const FittedHypothesis from = out;

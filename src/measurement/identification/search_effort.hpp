@@ -75,6 +75,10 @@ struct SearchEffort {
   /// weight, over that of the best, below which what was not fitted counts as impossible.
   std::size_t extended = 3;
   double least_weight = 0.01;
+  /// How many of the heaviest hypotheses start from each other's numbers (settled()), and from how many of these places
+  /// each is fitted: those where its objective is lowest.
+  std::size_t heaviest = 8;
+  std::size_t settling_starts = 2;
   /// Number of larger hypotheses whose short fit is continued to convergence.
   std::size_t refined_extensions = 6;
   /// Number of hypotheses of one size that are fitted again from other starts.

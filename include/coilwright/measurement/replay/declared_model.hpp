@@ -28,6 +28,7 @@ struct CalibrationParameter {
   double scale{};     ///< typical change, SI; > 0 even if `declared` is 0
   std::optional<Tolerance> tolerance{};  ///< the prior of the fit; nothing: the number is free
   bool calibrated = true;                ///< whether the set calibrates it; a number that is not has a tolerance
+  std::optional<double> start{};         ///< where a fit of a free number starts, SI; nothing: at the declared value
   /// Where a fit should start as well, SI: a number that does nothing beyond a limit (faces that never touch) leaves
   /// valleys on both sides of it. Nothing for most numbers.
   std::optional<double> other_start{};

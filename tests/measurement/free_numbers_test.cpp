@@ -1,0 +1,61 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "coilwright/measurement/diagnosis.hpp"
+#include "measurement/ball_on_a_string.hpp"
+
+// What was declared of a number that is fitted freely is where somebody stood, not what the records say.
+namespace coilwright::measurement {
+namespace {
+
+constexpr double true_length = 0.332;         // m
+constexpr double true_damping = 6e-5;         // N m s/rad
+constexpr double true_angles[] = {0.9, 0.4};  // rad, of two swings
+
+std::vector<data::Run> swings(unsigned seed) {
+  std::vector<data::Run> out;
+  for (const double angle : true_angles) {
+    out.push_back(Ball{.length = true_length, .damping = true_damping, .angle = angle}.filmed(30.0, 30.0, ++seed));
+    out.back().name = fmt::format("swing_{}.csv", angle);
+  }
+  return out;
+}
+
+Diagnosis diagnosed(std::vector<data::Run> runs, double length, double damping, unsigned seed = 1) {
+  data::Dataset data;
+  data.fit = std::move(runs);
+  return diagnose(data, declared_ball(length, damping).model, {.threads = 2, .seed = seed});
+}
+
+void expect_nothing_missing(const Diagnosis& found) {
+  EXPECT_EQ(name_of(found.verdict), "no_missing_effect");
+  EXPECT_TRUE(found.effects.empty());
+  ASSERT_EQ(found.calibration.size(), 2u);
+  EXPECT_LE(found.calibration[0].lower, true_damping);
+  EXPECT_GE(found.calibration[0].upper, true_damping);
+  EXPECT_LE(found.calibration[1].lower, true_length);
+  EXPECT_GE(found.calibration[1].upper, true_length);
+}
+
+TEST(FreeNumbers, LeadToTheSameAnswerWhateverWasDeclaredOfThem) {
+  double length = 0.9 * true_length;
+  for (const double damping : {0.0, 1e-7, 1e-5, 1e-3}) {
+    SCOPED_TRACE(fmt::format("declared {} N m s/rad, {} m", damping, length));
+    expect_nothing_missing(diagnosed(swings(7), length, damping));
+    length *= 1.05;
+  }
+}
+
+TEST(FreeNumbers, LeadToTheSameAnswerInAnyOrderOfTheRunsAndFromAnySeed) {
+  for (const unsigned seed : {1u, 2u}) {
+    std::vector<data::Run> runs = swings(11);
+    std::ranges::reverse(runs);
+    expect_nothing_missing(diagnosed(std::move(runs), 1.02 * true_length, 1e-6, seed));
+  }
+}
+
+}  // namespace
+}  // namespace coilwright::measurement

@@ -17,9 +17,11 @@ namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
-// The prototype's joint: Tables I and II of the source paper, and the frequency of its finger with segments as bodies.
+// The prototype's joint as it was measured: Tables I and II of the source paper, and the frequency of its finger with
+// segments as bodies.
 constexpr double prototype_width = 22e-3;
 constexpr double prototype_bottom_layer = 2.5e-3;
+constexpr double prototype_stiffness = 12.5e-3;
 constexpr double prototype_first_mode = 5.0;
 
 struct CrossSection {
@@ -50,6 +52,12 @@ double silicone_loss_time(const Design& design, double first_mode) {
 
 double silicone_damping(const Design& design, const CrossSection& section, double first_mode) {
   return design.calibration.joint_damping * derived_stiffness(design, section) * silicone_loss_time(design, first_mode);
+}
+
+// The same of a joint of known stiffness, whatever silicone the design has had since that was found.
+double silicone_damping(const Design& design, double stiffness, double first_mode) {
+  return design.calibration.joint_damping / design.calibration.joint_stiffness * stiffness *
+         silicone_loss_time(design, first_mode);
 }
 
 // What a linear loss of whatever cause scales by between fingers of one shape: a viscosity times a volume.
@@ -110,13 +118,26 @@ double first_mode_frequency(const mechanics::PlanarChain& chain, double stiffnes
 
 HingeReference hinge_reference(const Design& design) {
   if (design.calibration.hinge) return *design.calibration.hinge;
-  const CrossSection prototype{.width = prototype_width, .bottom_layer = prototype_bottom_layer};
-  return {
-      .width = prototype.width,
-      .bottom_layer = prototype.bottom_layer,
-      .stiffness = design.calibration.joint_stiffness * derived_stiffness(design, prototype),
-      .damping = silicone_damping(design, prototype, prototype_first_mode) + constant_damping(design, prototype.width),
-      .first_mode = prototype_first_mode};
+  return {.width = prototype_width,
+          .bottom_layer = prototype_bottom_layer,
+          .stiffness = prototype_stiffness,
+          .damping = silicone_damping(design, prototype_stiffness, prototype_first_mode) +
+                     constant_damping(design, prototype_width),
+          .first_mode = prototype_first_mode};
+}
+
+bool has_measured_stiffness(const Design& design) {
+  const Calibration& factors = design.calibration;
+  if (factors.joint_stiffness == 1.0) return false;
+  if (!factors.hinge) return true;
+  constexpr double rounding = 1e-9;
+  const double now = factors.joint_stiffness * derived_stiffness(design, section_of(*factors.hinge));
+  return std::abs(now / factors.hinge->stiffness - 1.0) < rounding;
+}
+
+bool has_measured_damping(const Design& design) {
+  const Calibration& factors = design.calibration;
+  return factors.constant_damping != 1.0 || factors.joint_damping != factors.joint_stiffness;
 }
 
 Design with_measured_hinge(Design design, std::optional<double> stiffness, std::optional<double> damping) {
@@ -144,14 +165,19 @@ Design with_hinge_law(Design design, HingeLaw law) {
   const double before = derived_stiffness(design, section);
   design.choices.hinge = law;
   const double ratio = before / derived_stiffness(design, section);
-  design.calibration.joint_stiffness *= ratio;
-  design.calibration.joint_damping *= ratio;
+  Calibration& factors = design.calibration;
+  // Where no stiffness was measured there is nothing for the other law to pass through: it has a level of its own.
+  const bool measured = factors.joint_stiffness != 1.0;
+  const bool damping_measured = factors.hinge || has_measured_damping(design);
+  if (measured) factors.joint_stiffness *= ratio;
+  if (!measured && factors.hinge) factors.hinge->stiffness /= ratio;
+  if (measured || damping_measured) factors.joint_damping *= ratio;
   return design;
 }
 
 DampingSplit damping_split(const Design& design) {
   const HingeReference reference = hinge_reference(design);
-  const double silicone = silicone_damping(design, section_of(reference), reference.first_mode);
+  const double silicone = silicone_damping(design, reference.stiffness, reference.first_mode);
   const double all = silicone + constant_damping(design, reference.width);
   return {.law = design.choices.damping, .share = all > 0.0 ? silicone / all : 0.0};
 }

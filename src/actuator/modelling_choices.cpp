@@ -4,8 +4,11 @@
 
 #include <utility>
 
+#include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/actuator/hinges.hpp"
+#include "coilwright/actuator/number_widths.hpp"
+#include "coilwright/units/unit.hpp"
 
 namespace coilwright::actuator {
 namespace {
@@ -15,6 +18,10 @@ constexpr std::string_view two_releases = "the ringing after a release of two fi
 constexpr std::string_view coil_and_magnet = "the force between one coil and its magnet at two distances";
 constexpr std::string_view full_grasp = "the grasp force of this finger at its full current";
 constexpr std::string_view thermocouple = "a hold of an hour with a thermocouple in the coil";
+// What each choice rests on: docs/assumptions.md says more.
+constexpr std::string_view cut_or_cast = "a body cast whole and cut by hand, or cast with its joints";
+constexpr std::string_view loss_of_prototype = "silicones have 15 to 60 % of the damping that the prototype had";
+constexpr std::string_view film_of_paper = "one remark of the source paper against textbooks";
 
 std::string name_of(const Design& design, HingeLaw law) {
   switch (law) {
@@ -35,7 +42,8 @@ void add_hinge_laws(const Design& design, std::vector<OtherChoice>& out) {
                      .taken = name_of(design, design.choices.hinge),
                      .otherwise = name_of(design, law),
                      .settled_by = two_bottom_layers,
-                     .design = with_hinge_law(design, law)});
+                     .design = with_hinge_law(design, law),
+                     .source = cut_or_cast});
 }
 
 std::string name_of(const DampingSplit& split) {
@@ -57,7 +65,8 @@ void add_damping_laws(const Design& design, std::vector<OtherChoice>& out) {
                      .taken = name_of(taken),
                      .otherwise = name_of(other),
                      .settled_by = two_releases,
-                     .design = with_damping(design, other)});
+                     .design = with_damping(design, other),
+                     .source = loss_of_prototype});
   }
 }
 
@@ -88,9 +97,19 @@ std::string name_of(const Design& design, FilmChoice film) {
   return fmt::format("{:.3g} W/m2K, from a continuous current", calibrated_film(design));
 }
 
+std::string name_of(const Design&, magnetics::Fidelity torque) {
+  return torque == magnetics::Fidelity::exact ? "exact at every angle"
+                                              : "that of the line of centres (the source paper)";
+}
+
+std::string name_of(const Design&, SegmentMass masses) {
+  return masses == SegmentMass::rigid_bodies ? "bodies with inertia" : "points on the axis (the source paper)";
+}
+
 struct Question {
   std::string_view subject;
   std::string_view settled_by;
+  std::string_view source;
 };
 
 // A choice by which nothing is calibrated, made otherwise: `usual`, or `other` where the design takes that already.
@@ -103,7 +122,8 @@ OtherChoice made_otherwise(const Design& design, const Question& question, Choic
                   .taken = name_of(design, taken),
                   .otherwise = name_of(design, otherwise),
                   .settled_by = question.settled_by,
-                  .design = design};
+                  .design = design,
+                  .source = question.source};
   out.design.choices.*choice = otherwise;
   return out;
 }
@@ -114,14 +134,48 @@ std::vector<OtherChoice> other_choices(const Design& design) {
   std::vector<OtherChoice> out;
   add_hinge_laws(design, out);
   add_damping_laws(design, out);
-  out.push_back(made_otherwise(design, {"heat transfer of the surface", thermocouple}, &ModelChoices::film,
-                               FilmChoice::calibrated, FilmChoice::still_air));
-  out.push_back(made_otherwise(design, {"contact of a closing joint", full_grasp}, &ModelChoices::faces,
-                               ContactChoice::walls, ContactChoice::hard_parts));
-  out.push_back(made_otherwise(design, {"ampacity of the wire", thermocouple}, &ModelChoices::ampacity,
-                               AmpacityChoice::law, AmpacityChoice::table));
-  out.push_back(made_otherwise(design, {"current in the winding", coil_and_magnet}, &ModelChoices::winding,
-                               magnetics::CurrentDistribution::uniform, magnetics::CurrentDistribution::paper_shells));
+  out.push_back(made_otherwise(design, {"heat transfer of the surface", thermocouple, film_of_paper},
+                               &ModelChoices::film, FilmChoice::calibrated, FilmChoice::still_air));
+  out.push_back(made_otherwise(design,
+                               {"contact of a closing joint", full_grasp, "the prototype's grasp force lies between"},
+                               &ModelChoices::faces, ContactChoice::walls, ContactChoice::hard_parts));
+  out.push_back(made_otherwise(design, {"ampacity of the wire", thermocouple, "a rounded table, or a law through it"},
+                               &ModelChoices::ampacity, AmpacityChoice::law, AmpacityChoice::table));
+  out.push_back(made_otherwise(
+      design, {"current in the winding", coil_and_magnet, "the source paper's shells, or a wound coil"},
+      &ModelChoices::winding, magnetics::CurrentDistribution::uniform, magnetics::CurrentDistribution::paper_shells));
+  // Of these two the other one is known to be nearer the truth, and is only looked at from the paper's.
+  if (design.choices.torque != magnetics::Fidelity::exact)
+    out.push_back(
+        made_otherwise(design, {"torque of a coil on its magnet", coil_and_magnet, "theory/actuator.md, Pairs"},
+                       &ModelChoices::torque, magnetics::Fidelity::line_of_centres, magnetics::Fidelity::exact));
+  if (design.choices.masses != SegmentMass::rigid_bodies)
+    out.push_back(made_otherwise(design, {"mass of a segment", "a balance on an edge", "theory/actuator.md, Geometry"},
+                                 &ModelChoices::masses, SegmentMass::on_axis_points, SegmentMass::rigid_bodies));
+  return out;
+}
+
+std::vector<OtherChoice> other_numbers(const Design& design) {
+  std::vector<OtherChoice> out;
+  for (const NumberWidth& width : number_widths()) {
+    const Parameter& parameter = *find_parameter(width.name);
+    const auto text = [&](double value) {
+      if (!parameter.names().empty())
+        return fmt::format("{} {}", width.name, parameter.names()[static_cast<std::size_t>(value)]);
+      return fmt::format("{} {:.4g}", width.name, value);
+    };
+    for (const double value : other_values(width, design)) {
+      out.push_back({.subject = width.subject,
+                     .taken = text(units::from_memory(parameter.get(design), parameter.key)),
+                     .otherwise = text(value),
+                     .settled_by = width.settled_by,
+                     .design = design,
+                     .source = width.source,
+                     .number = width.name,
+                     .decided = width.decided});
+      parameter.set(out.back().design, units::to_memory(value, parameter.key));
+    }
+  }
   return out;
 }
 

@@ -95,6 +95,7 @@ Section choices_section(const DesignView& design, std::span<const ChoiceEffect> 
   taken.emplace_back("");
   table.rows.push_back(std::move(taken));
   for (const ChoiceEffect& each : effects) {
+    if (!each.matters()) continue;
     std::vector<std::string> row{std::string(each.choice.subject), each.choice.taken, each.choice.otherwise};
     const auto* other = std::get_if<EvaluatedDesign>(&each.result);
     for (const std::string_view name : main_figures)
@@ -102,8 +103,8 @@ Section choices_section(const DesignView& design, std::span<const ChoiceEffect> 
     row.emplace_back(each.choice.settled_by);
     table.rows.push_back(std::move(row));
   }
-  section.blocks.emplace_back(
-      TableBlock{.caption = "The same parts under each other modelling choice", .table = std::move(table)});
+  section.blocks.emplace_back(TableBlock{
+      .caption = "The same parts where a choice or a number that matters is otherwise", .table = std::move(table)});
   return section;
 }
 

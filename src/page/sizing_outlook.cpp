@@ -83,23 +83,29 @@ Section assumptions_section(const Node& result) {
   Section section{.id = "assumptions", .title = "What the answer rests on"};
   const std::vector<Node> all = member_of(result, "assumptions").elements();
   if (all.empty()) {
-    section.blocks.emplace_back(
-        Paragraph{fmt::format("No other modelling choice was looked at: {}.", why_left_out(result))});
+    section.blocks.emplace_back(Paragraph{fmt::format("Nothing else was looked at: {}.", why_left_out(result))});
     return section;
   }
-  BarChart chart{.id = "choices",
-                 .title = "This design under each other modelling choice",
-                 .description =
-                     "Value of the objective if one choice of the model is made otherwise, and whether the design then "
-                     "still keeps its limits.",
-                 .value_title = objective_of(result).name,
-                 .label_title = "if it is otherwise",
-                 .symbols = true};
+  BarChart chart{
+      .id = "choices",
+      .title = "This design if something is otherwise",
+      .description =
+          "Value of the objective if a choice of the model or a number is otherwise, and whether the design then "
+          "still keeps its limits.",
+      .value_title = objective_of(result).name,
+      .label_title = "if it is otherwise",
+      .symbols = true};
   const double value = only_member_of(member_of(member_of(result, "best"), "objectives")).number();
   chart.bars.push_back({.label = "as taken", .value = value, .group = "as taken"});
   Table table{.header = {"subject", "taken", "otherwise", "objective then", "worst margin, % of its limit",
                          "another design", "settled by"}};
+  std::vector<std::string> small;
   for (const Node& each : all) {
+    if (const auto matters = each.find("matters"); matters && !matters->boolean()) {
+      if (const std::string subject = cell_of(each, "subject"); small.empty() || small.back() != subject)
+        small.push_back(subject);
+      continue;
+    }
     const std::vector<Node> objectives =
         member_of(each, "objectives").is_null() ? std::vector<Node>{} : member_of(each, "objectives").members();
     const auto worst = each.find("worst_margin");
@@ -119,7 +125,9 @@ Section assumptions_section(const Node& result) {
                             .group = member_of(each, "feasible").boolean() ? "keeps every limit" : "breaks a limit"});
   }
   section.blocks.emplace_back(figure_of(chart));
-  section.blocks.emplace_back(TableBlock{.caption = "Modelling choices", .table = std::move(table)});
+  section.blocks.emplace_back(TableBlock{.caption = "Choices and numbers that matter", .table = std::move(table)});
+  if (!small.empty())
+    section.blocks.emplace_back(Paragraph{fmt::format("Of less effect: {}.", fmt::join(small, ", "))});
   return section;
 }
 

@@ -97,7 +97,7 @@ void warn_of(const Performance& performance, const Actuator& actuator) {
 std::vector<simulation::ChoiceEffect> choices_of(const Performance& performance) {
   const py::gil_scoped_release others_run;
   if (performance.lumped() != nullptr) return {};
-  return simulation::choice_effects(performance.evaluated()->design, performance.evaluated()->point);
+  return simulation::choice_effects(performance.evaluated()->view());
 }
 
 Actuator actuator_in(const Performance& performance) {

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "coilwright/formats/study/design_tables.hpp"
+#include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/percent.hpp"
 #include "coilwright/report/simulation/text_table.hpp"
 
@@ -64,19 +67,58 @@ std::string effect_text(const formats::SizeReport& report, const AssumptionEffec
   return text;
 }
 
+// The limits that it breaks by so little that a builder has that of many numbers.
+std::optional<std::string> slightly_broken(const Study& study, const AssumptionEffect& effect) {
+  constexpr double slight = simulation::change_that_matters;
+  if (effect.changes_design || std::abs(effect.gain) >= slight || !effect.worst || effect.worst->margin < -slight)
+    return std::nullopt;
+  std::vector<std::string> broken;
+  for (std::size_t i = 0; i < study.limits.size(); ++i)
+    if (effect.evaluation.constraints[i] > 0.0) broken.push_back(name_of(study.limits[i]));
+  return fmt::format("{} ({})", effect.choice.otherwise, fmt::join(broken, ", "));
+}
+
 }  // namespace
 
 std::string assumptions_text(const formats::SizeReport& report) {
   if (report.assumptions.empty()) return {};
-  std::string text = "\nWhat this answer rests on: modelling choices that no measurement of this design has settled\n";
-  std::string_view subject;
-  for (const AssumptionEffect& effect : report.assumptions) {
-    if (effect.choice.subject != subject)
-      text += fmt::format("  {}, taken as: {}\n    settled by: {}\n", effect.choice.subject, effect.choice.taken,
-                          effect.choice.settled_by);
-    subject = effect.choice.subject;
-    text += effect_text(report, effect);
+  std::string text =
+      "\nWhat this answer rests on: choices and numbers that no measurement of this design has settled, the largest "
+      "first\n";
+  std::vector<std::string_view> small;
+  std::vector<std::string> slight;
+  std::span<const AssumptionEffect> effects = report.assumptions;
+  while (!effects.empty()) {
+    const std::string_view subject = effects.front().choice.subject;
+    const auto end =
+        std::ranges::find_if(effects, [&](const AssumptionEffect& each) { return each.choice.subject != subject; });
+    const std::span<const AssumptionEffect> of_subject(effects.begin(), end);
+    effects = std::span(end, effects.end());
+    if (std::ranges::none_of(of_subject, &AssumptionEffect::matters)) {
+      small.push_back(subject);
+      continue;
+    }
+    if (std::ranges::all_of(of_subject, [&](const AssumptionEffect& each) {
+          return !each.matters() || slightly_broken(report.study, each);
+        })) {
+      for (const AssumptionEffect& each : of_subject)
+        if (each.matters()) slight.push_back(slightly_broken(report.study, each).value());
+      continue;
+    }
+    text += subject_text(of_subject.front().choice);
+    for (const AssumptionEffect& effect : of_subject) text += effect_text(report, effect);
+    const bool peak = of_subject.size() == 2 && !of_subject.front().choice.number.empty() &&
+                      std::ranges::all_of(of_subject, [](const AssumptionEffect& each) {
+                        return each.gain <= -simulation::change_that_matters;
+                      });
+    if (peak) text += "    The answer sits on a peak: it is worse to either side.\n";
   }
+  if (!slight.empty())
+    text += fmt::format("  Limits broken by less than {:.3g} %: {}.\n", 100.0 * simulation::change_that_matters,
+                        fmt::join(slight, "; "));
+  if (!small.empty())
+    text += fmt::format("  By less than {:.3g} % of the objective, and on no limit: {}.\n",
+                        100.0 * simulation::change_that_matters, fmt::join(small, ", "));
   const bool searched =
       std::ranges::any_of(report.assumptions, [](const AssumptionEffect& each) { return each.evaluations > 1; });
   if (!searched) text += "Which design would be best under them is not known: with a spread none is searched for.\n";
@@ -84,15 +126,17 @@ std::string assumptions_text(const formats::SizeReport& report) {
   if (const AssumptionEffect* first = decisive(report.study, *report.result.best, report.assumptions))
     return text + fmt::format("Measure first: {}. The {} decides most about this design.\n", first->choice.settled_by,
                               first->choice.subject);
-  return text + fmt::format("No other choice changes the objective by more than {:.3g} % or breaks a limit.\n",
-                            100.0 * gain_of_another_design);
+  return text +
+         fmt::format(
+             "Nothing that a measurement settles changes the objective by more than {:.3g} % or breaks a limit.\n",
+             100.0 * gain_of_another_design);
 }
 
 std::string left_out_text(const formats::SizeReport& report) {
   if (!report.result.feasible) return {};
   const bool answer_only = report.study.search.afterwards == Afterwards::nothing;
   std::vector<std::string> left;
-  if (report.assumptions_left > 0) left.push_back(fmt::format("{} other modelling choices", report.assumptions_left));
+  if (report.assumptions_left > 0) left.push_back(fmt::format("{} other choices and numbers", report.assumptions_left));
   // Where the run was not interrupted, there are no steps because nothing can vary.
   if (report.result.sensitivity.steps.empty() && (answer_only || report.result.stop_reason == StopReason::interrupted))
     left.emplace_back("what a step of a variable or a relaxed limit would bring");

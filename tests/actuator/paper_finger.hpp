@@ -1,10 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "coilwright/actuator/calibrate.hpp"
 #include "coilwright/actuator/design/design.hpp"
+#include "coilwright/mechanics/silicone_grade.hpp"
 #include "error_text.hpp"
 
 namespace coilwright::actuator {
@@ -38,6 +41,14 @@ inline Measured paper_measured() {
 inline Design paper_finger() {
   Design design = paper_geometry();
   design.calibration = calibrate(design, paper_measured());
+  return design;
+}
+
+/// A finger of the default parts of that silicone, of which nothing was measured.
+inline Design of_silicone(std::string_view name, double bottom_layer) {
+  Design design;
+  design.body.make_of(&*std::ranges::find(mechanics::silicone_grades(), name, &mechanics::SiliconeGrade::name));
+  design.body.bottom_layer = bottom_layer;
   return design;
 }
 

@@ -40,12 +40,49 @@ class Evaluate(ProgramTest):
         text = run("evaluate", PAPER_FINGER, "--current-A", "1.4", cwd=self.folder).stdout
         self.assertRegex(text, r"\n  coil_\w+ +[0-9.]+  at most 155  BROKEN: the enamel of the wire fails\n")
         assumptions = json.loads(result.stdout)["assumptions"]
+        matter = {each["subject"] for each in assumptions if each["matters"]}
         for each in assumptions:
-            self.assertIn(f"  {each['subject']}, taken as: {each['taken']}\n", text)
-            self.assertIn(f"    if it is: {each['otherwise']}\n", text)
-        self.assertGreaterEqual(len(assumptions), 1)
+            if each["subject"] in matter:
+                self.assertIn(f"  {each['subject']}, taken as: {each['taken']}\n    known by: {each['source']}; settled by: ", text)
+                self.assertIn(f"    if it is: {each['otherwise']}\n", text)
+            else:
+                self.assertRegex(text, rf"  By less than 2 % .*[:,] {each['subject']}[,.]")
+        self.assertGreaterEqual(len(matter), 1)
         cool = run("evaluate", PAPER_FINGER, "--current-A", "0.5", cwd=self.folder).stdout
         self.assertNotIn("BROKEN", cool.split("What these figures rest on")[0])
+
+    def test_the_list_of_what_it_rests_on_is_what_the_design_does_with_that_said(self):
+        """Of an actuator of which nothing was measured: each law as a file names it, each number as --set gives it."""
+        soft = json.loads(PAPER_FINGER.read_text())
+        del soft["measured"]
+        soft["body"] |= {"silicone": "Ecoflex 00-30", "bottom_layer_mm": 4}
+        del soft["body"]["shore_hardness_A"]
+        self.write("soft.json", json.dumps(soft))
+        listed = json.loads(run("evaluate", "soft.json", "--current-A", "0.6", "--json", cwd=self.folder).stdout)["assumptions"]
+        numbers = {(each["number"], each["otherwise"]): each for each in listed if each["number"]}
+        self.assertTrue({"youngs_modulus_MPa", "filler", "base_tilt_deg", "remanence_T", "ambient_degC", "loss_factor",
+                         "constant_damping_Nmms_rad", "joint_stiffness_factor"} <= {number for number, _ in numbers})
+        compared = 0
+        for (number, otherwise), each in numbers.items():
+            name, value = otherwise.split(" ")
+            self.assertEqual(name, number)
+            if number not in ("youngs_modulus_MPa", "filler", "base_tilt_deg", "loss_factor"):
+                continue
+            said = self.evaluate("soft.json", "--current-A", "0.6", "--set", f"{name}={value}")
+            for quantity in ("steady_angle_deg", "peak_bending_speed_deg_s", "damping_ratio", "thermal_load", "mass_g"):
+                with self.subTest(f"{otherwise}: {quantity}"):
+                    # Four digits are printed of a number.
+                    self.assertAlmostEqual(each["performance"][quantity], said[quantity], delta=1e-3 * abs(said[quantity]))
+                    compared += 1
+        self.assertGreater(compared, 30)
+        laws = {"a slot": "slot", "a beam": "beam"}
+        for each in listed:
+            law = next((law for words, law in laws.items() if each["otherwise"].startswith(words)), None)
+            if law:
+                soft["model"]["hinge"] = law
+                self.write("named.json", json.dumps(soft))
+                self.assertEqual(each["performance"]["steady_angle_deg"],
+                                 self.evaluate("named.json", "--current-A", "0.6")["steady_angle_deg"], law)
 
     def test_takes_the_operating_point_of_the_file_where_it_is_told_none(self):
         sized = json.loads(PAPER_FINGER.read_text())

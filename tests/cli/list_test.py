@@ -93,13 +93,13 @@ class List(ProgramTest):
         self.assertGreater(tried, 60)
 
     def test_a_table_for_people_has_every_row(self):
-        for what in ("quantities", "parameters", "effects", "gauges", "magnets", "silicones", "spreads"):
+        for what in ("quantities", "parameters", "effects", "gauges", "magnets", "silicones", "spreads", "widths"):
             lines = run("list", what).stdout.splitlines()
             self.assertGreater(len(lines), len(rows(what)), what)
             self.assertEqual(lines[0].split(), list(rows(what)[0]))
 
     def test_another_word_is_refused_with_the_words(self):
-        words = '"quantities", "parameters", "effects", "gauges", "magnets", "silicones", "spreads"'
+        words = '"quantities", "parameters", "effects", "gauges", "magnets", "silicones", "spreads", "widths"'
         self.assert_refused(["list", "magnet"], f'list: WHAT: must be one of {words}; did you mean "magnets"?; got '
                             '"magnet" (see coilwright list --help)')
         self.assert_refused(["list"], "list: WHAT is required (see coilwright list --help)")

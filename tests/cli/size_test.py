@@ -46,7 +46,7 @@ class Size(ProgramTest):
         self.assertLessEqual(answer["evaluations"]["total"], 20)
         self.assertEqual((answer["evaluations"]["surroundings"], answer["evaluations"]["other_choices"]), (0, 0))
         self.assertIn("\nNot looked at, as only the answer was asked for (--answer-only): "
-                      f'{answer["assumptions_left"]} other modelling choices; what a step of a variable or a relaxed limit '
+                      f'{answer["assumptions_left"]} other choices and numbers; what a step of a variable or a relaxed limit '
                       "would bring.\n", text)
         self.assertEqual(answer["search_stop_reason"], answer["stop_reason"])
         # Without the option the rest is made, from where the search ended.

@@ -27,7 +27,7 @@ class Spread(ProgramTest):
             (self.folder / f"{name}.json").write_text(json.dumps({"format": "diagnosis/1", **(posterior or {})}))
         for spread, message in (
             ({}, '/spread: needs "parts" or a number that scatters'),
-            ({"parts": "all"}, '/spread/parts: must be "usual" (coilwright list spreads); got text "all"'),
+            ({"parts": "all"}, '/spread/parts: must be "usual" or "by_hand" (coilwright list spreads); got text "all"'),
             ({"gap": {"sd": 0.1}}, '/spread/gap: is no number of an actuator or a block that may scatter; did you mean "gap_mm"?'),
             ({"turns_radial": {"sd": 1}}, "/spread/turns_radial: is a whole number, of which every build has the designed one: it cannot "
              "scatter"),
@@ -35,7 +35,7 @@ class Spread(ProgramTest):
              'text "none.json"'),
             ({"gap_mm": {}}, '/spread/gap_mm: needs one of "sd", "relative_sd", "uniform", "relative_uniform"'),
             ({"gap_mm": {"sd": 0}}, "/spread/gap_mm/sd: must be > 0 and <= 1000000; got 0"),
-            ({"gap_mm": {"relative_sd": 0.3}}, "/spread/gap_mm/relative_sd: must be > 0 and <= 0.25; got 0.3"),
+            ({"gap_mm": {"relative_sd": 1.6}}, "/spread/gap_mm/relative_sd: must be > 0 and <= 1.5; got 1.6"),
             ({"gap_mm": {"uniform": [0.1, -0.1]}}, "/spread/gap_mm/uniform/1: must be above the other end (0.1); got -0.1"),
             ({"gap_mm": {"relative_uniform": [-1, 1]}},
              "/spread/gap_mm/relative_uniform/0: must be above -1: a share of the designed value; got -1"),

@@ -30,11 +30,21 @@ namespace coilwright::actuator {
 [[nodiscard]] Design with_measured_hinge(Design design, std::optional<double> stiffness, std::optional<double> damping);
 
 /// The joint about which laws are exchanged: the one of the design's calibration. Without one (nothing measured, a file
-/// of 0.1) a joint of the prototype's cross-section and frequency with this design's own laws, factors and hardness.
+/// of 0.1) the prototype's, with the stiffness that was measured on it and the damping that this design's own loss and
+/// constant give there, whatever its silicone: the default constant is what the prototype's damping leaves.
 [[nodiscard]] HingeReference hinge_reference(const Design& design);
 
-/// The same design under another law of its hinges. The joint of hinge_reference() keeps its stiffness and damping, and
-/// so does this design if it has that cross-section.
+/// Whether the stiffness of the design's hinges rests on a measurement: a joint was measured, and the hinge is of the
+/// silicone and the law that it had then. Precondition: construction_faults(design) is empty.
+[[nodiscard]] bool has_measured_stiffness(const Design& design);
+
+/// Whether their damping does.
+[[nodiscard]] bool has_measured_damping(const Design& design);
+
+/// The same design under another law of its hinges. Where a stiffness was measured (Calibration::joint_stiffness is not
+/// 1), the joint of hinge_reference() keeps its stiffness and damping, and so does this design if it has that
+/// cross-section. Otherwise the other law gives the stiffness by itself, as it does in a file that names it, and a
+/// damping that was measured stays.
 [[nodiscard]] Design with_hinge_law(Design design, HingeLaw law);
 
 /// What of a measured damping follows the hinge, and how.

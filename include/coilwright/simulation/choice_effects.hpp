@@ -10,17 +10,25 @@
 
 namespace coilwright::simulation {
 
-/// The figures for which an actuator is usually built: those that are held against every other modelling choice.
-inline constexpr std::array<std::string_view, 4> main_figures = {"peak_bending_speed_deg_s", "steady_angle_deg",
-                                                                 "grasp_force_N", "damping_ratio"};
+/// The figures for which an actuator is usually built: those that are held against everything that is not settled.
+inline constexpr std::array<std::string_view, 5> main_figures = {"peak_bending_speed_deg_s", "steady_angle_deg",
+                                                                 "grasp_force_N", "damping_ratio", "thermal_load"};
 
-/// What a design does at an operating point if one modelling choice is made otherwise.
+/// From what change on a figure rests on something, relative.
+inline constexpr double change_that_matters = 0.02;
+
+/// What a design does at an operating point if something that is not settled is otherwise.
 struct ChoiceEffect {
   actuator::OtherChoice choice;
   std::variant<EvaluatedDesign, NoPerformance> result;
+  double change{};  ///< of the main figure that changes most, over its value as taken; 1 where one appears or vanishes
+  bool breaks{};    ///< whether it breaks an unconditional limit of a part that is kept as taken, or has no performance
+
+  [[nodiscard]] bool matters() const noexcept { return breaks || change >= change_that_matters; }
 };
 
-/// One entry for each of actuator::other_choices(design). Pure.
-[[nodiscard]] std::vector<ChoiceEffect> choice_effects(const actuator::Design& design, const OperatingPoint& point);
+/// One entry for each of actuator::other_choices() and other_numbers() of the design, at its operating point: subjects
+/// with a broken limit first, then by the largest change, each with its entries together. Pure.
+[[nodiscard]] std::vector<ChoiceEffect> choice_effects(const DesignView& taken);
 
 }  // namespace coilwright::simulation

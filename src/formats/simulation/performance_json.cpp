@@ -70,13 +70,17 @@ Json to_json(const actuator::OtherChoice& choice) {
   return Json::object({{"subject", choice.subject},
                        {"taken", choice.taken},
                        {"otherwise", choice.otherwise},
-                       {"settled_by", choice.settled_by}});
+                       {"number", choice.number.empty() ? Json(nullptr) : Json(choice.number)},
+                       {"source", choice.source},
+                       {"settled_by", choice.settled_by},
+                       {"decided", choice.decided}});
 }
 
 Json to_json(std::span<const simulation::ChoiceEffect> effects) {
   Json out = Json::array();
   for (const simulation::ChoiceEffect& effect : effects) {
     Json entry = to_json(effect.choice);
+    entry.set("matters", effect.matters());
     if (const auto* why = std::get_if<simulation::NoPerformance>(&effect.result)) {
       entry.set("reason", why->reason);
     } else {

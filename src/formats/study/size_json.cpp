@@ -184,6 +184,7 @@ Json worst_json(const std::optional<WorstMargin>& worst) {
 
 Json assumption_json(const Study& study, const AssumptionEffect& effect) {
   Json out = to_json(effect.choice);
+  out.set("matters", effect.matters());
   const bool evaluated = effect.evaluation.failure.empty();
   out.set("objectives", objectives_json(study, effect.evaluation));
   if (!evaluated) out.set("reason", effect.evaluation.failure);

@@ -42,7 +42,8 @@ Scatter read_scatter(const Node& node, const std::string& name) {
     const std::string kind = in.one_of({"sd", "relative_sd", "uniform", "relative_uniform"});
     Scatter out{.name = name, .about = {}, .relative = kind.starts_with("relative_")};
     if (kind.ends_with("sd")) {
-      out.about = sizing::NormalDeviation{in.number(kind, positive.and_also(Rule::at_most(out.relative ? 0.25 : 1e6)))};
+      // From a quarter on the scatter is one of the logarithm: a factor e at 1.
+      out.about = sizing::NormalDeviation{in.number(kind, positive.and_also(Rule::at_most(out.relative ? 1.5 : 1e6)))};
       return out;
     }
     const std::vector<Node> ends = in.elements(kind, Length::from_to(2, 2));
@@ -193,8 +194,11 @@ Spread read_spread(const Node& node, const std::vector<BlockVariable>& of_blocks
   Spread spread;
   node.expect_object();
   if (const auto parts = node.find("parts")) {
-    if (parts->text() != "usual") throw parts->error("must be \"usual\" (coilwright list spreads)");
-    for (const sizing::UsualScatter& usual : sizing::usual_scatters())
+    const bool by_hand = parts->text() == "by_hand";
+    if (!by_hand && parts->text() != "usual")
+      throw parts->error("must be \"usual\" or \"by_hand\" (coilwright list spreads)");
+    for (const sizing::UsualScatter& usual :
+         sizing::usual_scatters(by_hand ? sizing::Making::by_hand : sizing::Making::printed))
       if (sizing::most_parts(usual.scatter.name) == 0) add(spread, usual.scatter);
   }
   if (const auto draws = node.find("draws"))

@@ -69,7 +69,6 @@ std::string worst_limit_text(const std::vector<PartLimit>& limits) {
                      *worst->value, worst->at_most ? "at most" : "at least", worst->limit);
 }
 
-// What is as without the other choice is said once, above all of them.
 std::string effect_text(const DesignView& taken, const ChoiceEffect& effect) {
   std::string text = fmt::format("    if it is: {}\n", effect.choice.otherwise);
   if (const auto* why = std::get_if<NoPerformance>(&effect.result))
@@ -77,15 +76,18 @@ std::string effect_text(const DesignView& taken, const ChoiceEffect& effect) {
   const DesignView other = std::get<EvaluatedDesign>(effect.result).view();
   if (const std::string changes = changes_text(taken, other); !changes.empty())
     text += fmt::format("      {}\n", changes);
-  const std::vector<std::string_view> broken = broken_among(unconditional_limits(taken));
+  const std::vector<PartLimit> before = unconditional_limits(taken);
   const std::vector<PartLimit> limits = unconditional_limits(other);
-  if (broken.empty() || broken_among(limits) != broken) text += fmt::format("      {}\n", worst_limit_text(limits));
+  const bool breaks_others = broken_among(limits) != broken_among(before);
+  const bool is_kept_otherwise = broken_among(limits).empty() && worst_limit_text(limits) != worst_limit_text(before);
+  if (breaks_others || is_kept_otherwise) text += fmt::format("      {}\n", worst_limit_text(limits));
   return text;
 }
 
+// What is as without the other choice is said once, above all of them.
 std::string unchanged_text(const DesignView& taken) {
   const bool broken = !broken_among(unconditional_limits(taken)).empty();
-  return fmt::format("  Where no figure of motion or grasp is named, none changes by {:.1f} %{}.\n", 100.0 * noticeable,
+  return fmt::format("  Where no figure is named, none changes by {:.1f} %{}.\n", 100.0 * noticeable,
                      broken ? "; where no limit is, the same are broken as above" : "");
 }
 
@@ -157,17 +159,34 @@ std::string doubts_text(const actuator::Design& design) {
   return text;
 }
 
+std::string subject_text(const actuator::OtherChoice& choice) {
+  return fmt::format("  {}, taken as: {}\n    known by: {}; settled by: {}\n", choice.subject, choice.taken,
+                     choice.source, choice.settled_by);
+}
+
 std::string to_text(const DesignView& taken, std::span<const ChoiceEffect> effects) {
-  std::string text = "\nWhat these figures rest on: modelling choices that no measurement of this design has settled\n";
+  std::string text =
+      "\nWhat these figures rest on: choices and numbers that no measurement of this design has settled, the largest "
+      "first\n";
   if (!effects.empty()) text += unchanged_text(taken);
-  std::string_view subject;
-  for (const ChoiceEffect& effect : effects) {
-    if (effect.choice.subject != subject)
-      text += fmt::format("  {}, taken as: {}\n    settled by: {}\n", effect.choice.subject, effect.choice.taken,
-                          effect.choice.settled_by);
-    subject = effect.choice.subject;
-    text += effect_text(taken, effect);
+  std::vector<std::string_view> small;
+  while (!effects.empty()) {
+    const std::string_view subject = effects.front().choice.subject;
+    const auto end =
+        std::ranges::find_if(effects, [&](const ChoiceEffect& each) { return each.choice.subject != subject; });
+    const std::span<const ChoiceEffect> of_subject(effects.begin(), end);
+    effects = std::span(end, effects.end());
+    if (std::ranges::none_of(of_subject, &ChoiceEffect::matters)) {
+      small.push_back(subject);
+      continue;
+    }
+    text += subject_text(of_subject.front().choice);
+    for (const ChoiceEffect& effect : of_subject) text += effect_text(taken, effect);
   }
+  if (!small.empty())
+    text += fmt::format("  By less than {:.3g} % on each of {}, and on no limit: {}.\n",
+                        100.0 * simulation::change_that_matters, fmt::join(simulation::main_figures, ", "),
+                        fmt::join(small, ", "));
   return text;
 }
 

@@ -81,7 +81,7 @@ AfterSearch after_search(const DesignProblem& problem, const SearchResult& resul
   // Only of an answer: what keeps no limit anyway rests on more than a choice.
   if (!result.feasible) return out;
   const Study& study = problem.study();
-  out.assumptions_left = actuator::other_choices(study.base).size();
+  out.assumptions_left = assumption_count(problem, *result.best);
   if (study.search.afterwards == Afterwards::nothing) return out;
   out.built = builds_of(study, std::get<EvaluatedDesign>(*out.best), options);
   if (options.stop.stop_requested()) return out;
@@ -89,6 +89,7 @@ AfterSearch after_search(const DesignProblem& problem, const SearchResult& resul
   out.assumptions_left -= out.assumptions.size();
   if (options.stated)
     for (const AssumptionEffect& effect : out.assumptions) {
+      if (!effect.choice.number.empty()) continue;  // evaluated here and now
       options.stated(name_of(effect.choice), result.best->point);
       if (effect.other_best) options.stated(name_of(effect.choice), effect.other_best->point);
     }

@@ -237,8 +237,9 @@ double Scatter::deviation(double share) const {
     return uniform->low + share * (uniform->high - uniform->low);
   const boost::math::normal standard;
   const double outside = boost::math::cdf(standard, -cut);
-  return std::get<NormalDeviation>(about).sd *
-         boost::math::quantile(standard, outside + inside(share) * (1.0 - 2.0 * outside));
+  const double normal = std::get<NormalDeviation>(about).sd *
+                        boost::math::quantile(standard, outside + inside(share) * (1.0 - 2.0 * outside));
+  return relative && std::get<NormalDeviation>(about).sd > most_normal_share ? std::expm1(normal) : normal;
 }
 
 std::vector<std::vector<double>> sobol_shares(std::size_t dimension, std::size_t count, std::uint64_t seed) {

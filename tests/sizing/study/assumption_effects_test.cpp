@@ -4,8 +4,11 @@
 
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
+#include <string_view>
 
+#include "coilwright/actuator/design/current_limit.hpp"
 #include "coilwright/sizing/search/search.hpp"
 #include "sizing/small_study.hpp"
 
@@ -37,8 +40,11 @@ TEST(AssumptionEffects, AreThoseOfTheAnswerItself) {
   const DesignProblem problem(with_one_objective());
   const Record best = answer_of(problem);
   const auto effects = assumption_effects(problem, best, {.evaluations = 0});
-  ASSERT_EQ(effects.size(), actuator::other_choices(problem.study().base).size());
+  ASSERT_EQ(effects.size(), actuator::other_choices(problem.study().base).size() +
+                                actuator::other_numbers(problem.design_at(best.point)).size());
+  ASSERT_EQ(effects.size(), assumption_count(problem, best));
   for (const AssumptionEffect& effect : effects) {
+    if (!effect.choice.number.empty()) continue;
     Study other = problem.study();
     other.base = effect.choice.design;
     // The design of the effect is the answer's, so a study that starts there evaluates it as its own actuator.
@@ -66,9 +72,10 @@ TEST(AssumptionEffects, AskForEveryDesignByTheOneWhoRecordsThem) {
   };
   const auto effects = assumption_effects(problem, best, options);
   ASSERT_EQ(effects.size(), direct.size());
-  EXPECT_EQ(asked.size(), effects.size()) << "each choice has a name of its own";
+  EXPECT_EQ(asked.size(), actuator::other_choices(problem.study().base).size()) << "each has a name of its own";
   for (std::size_t i = 0; i < effects.size(); ++i) {
     EXPECT_EQ(effects[i].evaluation, direct[i].evaluation);
+    if (!effects[i].choice.number.empty()) continue;  // evaluated on the spot
     EXPECT_EQ(effects[i].evaluations, asked.at(name_of(effects[i].choice)));
   }
 }
@@ -79,6 +86,7 @@ TEST(AssumptionEffects, SearchUnderTheOtherChoice) {
   const DesignProblem problem(with_one_objective());
   const Record best = answer_of(problem);
   for (const AssumptionEffect& effect : assumption_effects(problem, best, {.evaluations = 36})) {
+    if (!effect.choice.number.empty()) continue;
     ASSERT_TRUE(effect.other_best) << effect.choice.subject;
     EXPECT_TRUE(is_feasible(effect.other_best->evaluation));
     if (is_feasible(effect.evaluation)) {
@@ -90,6 +98,56 @@ TEST(AssumptionEffects, SearchUnderTheOtherChoice) {
       EXPECT_TRUE(effect.changes_design);
     }
   }
+}
+
+// Each number is set in the design found, also where the study varies it, at the current of the answer.
+TEST(AssumptionEffects, OfNumbersAreThoseOfTheAnswerWithThatNumberSet) {
+  const DesignProblem problem(with_one_objective());
+  const Record best = answer_of(problem);
+  const simulation::EvaluatedDesign answer = std::get<EvaluatedDesign>(problem.evaluate(best.point));
+  std::size_t numbers = 0;
+  for (const AssumptionEffect& effect : assumption_effects(problem, best, {.evaluations = 0})) {
+    if (effect.choice.number.empty() || !effect.evaluation.failure.empty()) continue;
+    ++numbers;
+    const double gap = 1e3 * effect.choice.design.body.gap;
+    if (effect.choice.number != "gap_mm") {
+      EXPECT_DOUBLE_EQ(gap, 1e3 * answer.design.body.gap);
+    }
+    simulation::OperatingPoint point = answer.point;
+    point.current = 0.9 * actuator::operating_current_limit(effect.choice.design);
+    const simulation::EvaluatedDesign expected = simulation::evaluate(effect.choice.design, point);
+    const double speed = quantity("peak_bending_speed_deg_s").value(expected.view()).value();
+    // Curves to 1e-4 of themselves move a figure by up to 5e-6, and one of a step in time by some of its steps.
+    EXPECT_NEAR(effect.evaluation.objectives.front(), speed, 1e-4 * speed) << effect.choice.otherwise;
+    EXPECT_NEAR(effect.gain, speed / best.evaluation.objectives.front() - 1.0, 1e-3) << effect.choice.otherwise;
+  }
+  EXPECT_GT(numbers, 30U);
+}
+
+TEST(AssumptionEffects, LeaveOutWhatScattersInTheSpread) {
+  Study study = with_one_objective();
+  study.spread = Spread{.scatters = {{.name = "gap_mm", .about = NormalDeviation{0.05}},
+                                     {.name = "remanence_T", .about = NormalDeviation{0.015}, .relative = true}}};
+  const DesignProblem problem(study);
+  const Record best = answer_of(DesignProblem(with_one_objective()));
+  std::set<std::string_view> numbers;
+  for (const AssumptionEffect& effect : assumption_effects(problem, best, {.evaluations = 0}))
+    numbers.insert(effect.choice.number);
+  EXPECT_FALSE(numbers.contains("gap_mm"));
+  EXPECT_FALSE(numbers.contains("remanence_T"));
+  EXPECT_TRUE(numbers.contains("filler"));
+  EXPECT_TRUE(numbers.contains("base_tilt_deg"));
+}
+
+TEST(Decisive, IsNothingThatItsBuilderDecides) {
+  const Study study = with_one_objective();
+  const Record best{.point = {}, .evaluation = {.objectives = {1000.0}, .constraints = {-0.1, -1.0}}};
+  AssumptionEffect mounting;
+  mounting.choice.subject = "mounting";
+  mounting.choice.decided = true;
+  mounting.evaluation = {.objectives = {500.0}, .constraints = {0.3, -1.0}};
+  EXPECT_EQ(decisive(study, best, {mounting}), nullptr);
+  EXPECT_TRUE(mounting.matters());
 }
 
 AssumptionEffect with_outcome(std::string_view subject, double objective, double constraint) {

@@ -1,5 +1,6 @@
 #include "coilwright/sizing/study/spread.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +9,9 @@
 #include <limits>
 #include <numbers>
 #include <stop_token>
+#include <string>
 #include <tuple>
+#include <vector>
 
 #include "coilwright/actuator/design/value_limits.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
@@ -313,15 +316,53 @@ TEST(SpreadQuantities, AreStatisticsOfTheBuilds) {
 }
 
 TEST(UsualScatters, AreOfNumbersThatThereAre) {
-  for (const UsualScatter& usual : usual_scatters()) {
-    const actuator::Parameter* parameter = actuator::find_parameter(usual.scatter.name);
-    EXPECT_NE(parameter == nullptr, most_parts(usual.scatter.name) == 0) << usual.scatter.name;
-    if (parameter != nullptr) {
-      EXPECT_FALSE(parameter->whole) << usual.scatter.name;
+  for (const Making making : {Making::printed, Making::by_hand})
+    for (const UsualScatter& usual : usual_scatters(making)) {
+      const actuator::Parameter* parameter = actuator::find_parameter(usual.scatter.name);
+      EXPECT_NE(parameter == nullptr, most_parts(usual.scatter.name) == 0) << usual.scatter.name;
+      if (parameter != nullptr) {
+        EXPECT_FALSE(parameter->whole) << usual.scatter.name;
+      }
+      EXPECT_GT(usual.scatter.deviation(0.9), 0.0) << usual.scatter.name;
+      EXPECT_FALSE(usual.source.empty()) << usual.scatter.name;
     }
-    EXPECT_GT(usual.scatter.deviation(0.9), 0.0) << usual.scatter.name;
-    EXPECT_FALSE(usual.source.empty()) << usual.scatter.name;
+}
+
+// The order is that in which builds draw: another one would be other builds of the same study.
+TEST(UsualScatters, OfPrintedMouldsAreDrawnInTheirOrder) {
+  std::vector<std::string> names;
+  for (const UsualScatter& usual : usual_scatters()) names.push_back(usual.scatter.name);
+  EXPECT_THAT(names,
+              ::testing::ElementsAre("remanence_T", "magnet_radius_mm", "magnet_length_mm", "gap_mm", "bottom_layer_mm",
+                                     "joint_stiffness_factor", "joint_damping_factor", "constant_damping_factor",
+                                     "coil_resistance_factor", "radial_pitch_factor", "heat_transfer_factor",
+                                     "each_joint_stiffness_factor", "each_remanence_factor"));
+  EXPECT_DOUBLE_EQ(std::get<NormalDeviation>(usual_scatters()[4].scatter.about).sd, 0.05);
+  EXPECT_DOUBLE_EQ(std::get<NormalDeviation>(usual_scatters()[5].scatter.about).sd, 0.08);
+}
+
+// Nobody builds closer by hand than in printed moulds.
+TEST(UsualScatters, OfHandsAreNoCloser) {
+  for (const UsualScatter& printed : usual_scatters(Making::printed)) {
+    const auto by_hand = std::ranges::find_if(usual_scatters(Making::by_hand), [&](const UsualScatter& each) {
+      return each.scatter.name == printed.scatter.name;
+    });
+    ASSERT_NE(by_hand, usual_scatters(Making::by_hand).end()) << printed.scatter.name;
+    EXPECT_GE(by_hand->scatter.deviation(0.9), printed.scatter.deviation(0.9)) << printed.scatter.name;
   }
+}
+
+// A modulus that is known to a factor of two: half to double between the quantiles of one standard deviation, the
+// designed value in the middle, and never below nothing.
+TEST(Scatter, AboveAQuarterIsOneOfTheLogarithm) {
+  const Scatter factor_two{.name = "youngs_modulus_MPa", .about = NormalDeviation{std::log(2.0)}, .relative = true};
+  const double one_deviation = 0.841345;
+  EXPECT_NEAR(1.0 + factor_two.deviation(one_deviation), 2.0, 1e-3);
+  EXPECT_NEAR(1.0 + factor_two.deviation(1.0 - one_deviation), 0.5, 1e-3);
+  EXPECT_NEAR(factor_two.deviation(0.5), 0.0, 1e-9);
+  EXPECT_GT(factor_two.deviation(1e-9), -1.0);
+  const Scatter narrow{.name = "youngs_modulus_MPa", .about = NormalDeviation{0.25}, .relative = true};
+  EXPECT_NEAR(narrow.deviation(one_deviation), 0.25, 1e-4);
 }
 
 Study study_with(Spread spread, double most_current) {

@@ -19,9 +19,12 @@ namespace coilwright::report {
 /// One line for each limit of the parts: value, limit, and what happens where it is broken.
 [[nodiscard]] std::string to_text(std::span<const simulation::PartLimit> limits);
 
-/// What the figures of `taken` rest on: for each other modelling choice the main figures that it changes, the limit of
-/// the parts with the least margin unless the same limits are broken without it, and the measurement that settles the
-/// choice.
+/// What one subject of such a list is, how it is taken, how well it is known and what settles it.
+[[nodiscard]] std::string subject_text(const actuator::OtherChoice& choice);
+
+/// What the figures of `taken` rest on, in the order of simulation::choice_effects(): for each other choice and number
+/// of a subject that matters the main figures that it changes, the limit of the parts with the least margin unless the
+/// same limits are broken without it, and what settles it; the subjects that do not matter by name.
 [[nodiscard]] std::string to_text(const simulation::DesignView& taken,
                                   std::span<const simulation::ChoiceEffect> effects);
 

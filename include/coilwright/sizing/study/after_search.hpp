@@ -34,7 +34,7 @@ struct AfterSearch {
   DesignResult base;                            ///< the actuator that the study starts from
   Evaluation base_seen{};                       ///< what the search would be told of it
   std::optional<Yield> built{};                 ///< builds of a feasible answer to a study with a spread
-  std::vector<AssumptionEffect> assumptions{};  ///< a feasible answer under other modelling choices
+  std::vector<AssumptionEffect> assumptions{};  ///< of a feasible answer
   std::size_t assumptions_left{};               ///< how many of those were not looked at
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coilwright/actuator/modelling_choices.hpp"
+#include "coilwright/simulation/choice_effects.hpp"
 #include "coilwright/sizing/problem/archive.hpp"
 #include "coilwright/sizing/problem/options.hpp"
 #include "coilwright/sizing/study/design_problem.hpp"
@@ -23,7 +24,7 @@ struct WorstMargin {
 /// The worst limit of an evaluation of `study`; nothing without limits or for a design that was not evaluated.
 [[nodiscard]] std::optional<WorstMargin> worst_margin(const Study& study, const Evaluation& evaluation);
 
-/// What becomes of the answer of a study if one modelling choice is made otherwise.
+/// What becomes of the answer of a study if something that is not settled is otherwise.
 struct AssumptionEffect {
   actuator::OtherChoice choice;      ///< its design is the answer's own
   Evaluation evaluation;             ///< of the answer under the other choice
@@ -32,6 +33,11 @@ struct AssumptionEffect {
   std::optional<Record> other_best;  ///< the best feasible design that a short search under it found; nothing if none
   bool changes_design{};             ///< whether that one would be chosen instead
   std::size_t evaluations{};         ///< of designs, for all this
+  double gain{};                     ///< of the objective, over its value in the answer; negative where it is worse
+
+  /// Whether the answer rests on it: it breaks a limit or has no figures, leads to another design, or changes the
+  /// objective by simulation::change_that_matters.
+  [[nodiscard]] bool matters() const;
 };
 
 /// How much a search under another choice must gain before it counts as another answer, relative to the objective.
@@ -56,16 +62,23 @@ struct AssumptionOptions {
   std::function<void(std::size_t looked_at, std::size_t of)> progress{};
 };
 
+/// How many entries assumption_effects() has of the answer `best` where nothing stops it.
+[[nodiscard]] std::size_t assumption_count(const DesignProblem& problem, const Record& best);
+
 /// The answer `best` of a study with one objective under every other modelling choice, and whether another design would
 /// then be better: where the answer breaks a limit, or a search that starts from it gains more than
-/// `gain_of_another_design`. Choices that a stop left without a whole search are left out. Pure but for the clock of a
-/// stop.
+/// `gain_of_another_design`. Then with each number of the answer that is neither measured nor stated at its other
+/// values, evaluated once each, but for those that scatter in the study's spread. The subject
+/// that takes the answer farthest, of its value or of a limit that it breaks, stands first, each with its entries
+/// together. Choices that a stop left without a whole search
+/// are left out. Pure but for the clock of a stop.
 [[nodiscard]] std::vector<AssumptionEffect> assumption_effects(const DesignProblem& problem, const Record& best,
                                                                const AssumptionOptions& options);
 
-/// The effect that changes the answer most: one that breaks a limit before one that changes the objective, then by how
-/// far the best design under it is from what the answer promises, or how far the worst limit is broken where no other
-/// design was looked for; nullptr where none changes it by more than gain_of_another_design.
+/// The effect that changes the answer most among those that a measurement settles: one that breaks a limit before one
+/// that changes the objective, then by how far the best design under it is from what the answer promises, or how far
+/// the worst limit is broken where no other design was looked for; nullptr where none changes it by more than
+/// gain_of_another_design.
 [[nodiscard]] const AssumptionEffect* decisive(const Study& study, const Record& best,
                                                const std::vector<AssumptionEffect>& effects);
 

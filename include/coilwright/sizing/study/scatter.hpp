@@ -34,10 +34,15 @@ struct StudyDriver {
   simulation::ResultQuantity peak_over_limit;  ///< of all coils together, over what the driver bears
 };
 
-/// Deviations by the normal law of that standard deviation, cut off at 4 of them.
+/// Deviations by the normal law of that standard deviation, cut off at 4 of them. Relative ones above
+/// most_normal_share are those of a number whose logarithm is normal, with the designed value as its median: a normal
+/// law would have numbers below 0.
 struct NormalDeviation {
   double sd{};  ///< > 0
 };
+
+/// Four standard deviations of this many leave nothing.
+inline constexpr double most_normal_share = 0.25;
 
 /// Deviations from `low` to `high`, all alike; low < high.
 struct UniformDeviation {

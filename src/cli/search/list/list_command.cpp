@@ -35,8 +35,12 @@ constexpr std::array choices = {
            "factor of 2.2.\n"
            "Measure joint_stiffness_Nmm_rad where it matters."},
     Choice{"spreads", spread_listing,
-           "Standard deviations of one build about its design: what \"parts\": \"usual\" of a study's spread takes; "
-           "each_..: of one joint or magnet, drawn where the spread names it."},
+           "Standard deviations of one build about its design: what \"parts\": \"usual\" (cast in printed moulds) or "
+           "\"by_hand\" of a study's spread takes; each_..: of one joint or magnet, drawn where the spread names it."},
+    Choice{
+        "widths", width_listing,
+        "How far a number is known that was not measured on the actuator: at these values evaluate and size look at a "
+        "design\nbeside its own, unless it is stated or measured. Without ends: as its source says."},
 };
 
 std::vector<std::string> words() {
@@ -68,7 +72,8 @@ void add_list_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<ListOptions>();
   CLI::App* command = add_command(app, "list");
   command
-      ->add_option("WHAT", options->what, "One of quantities, parameters, effects, gauges, magnets, silicones, spreads")
+      ->add_option("WHAT", options->what,
+                   "One of quantities, parameters, effects, gauges, magnets, silicones, spreads, widths")
       ->required()
       ->check(word_rule(words()));
   add_json_option(*command, options->json);

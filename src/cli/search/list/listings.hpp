@@ -22,6 +22,9 @@ namespace coilwright::cli {
 /// How numbers of an actuator usually scatter.
 [[nodiscard]] Listing spread_listing();
 
+/// How far numbers of an actuator are known that were not measured on it.
+[[nodiscard]] Listing width_listing();
+
 /// The hardness of silicones and the modulus that goes with it.
 [[nodiscard]] Listing silicone_listing();
 

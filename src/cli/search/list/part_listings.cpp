@@ -1,6 +1,8 @@
 #include <string>
+#include <utility>
 
 #include "cli/search/list/listings.hpp"
+#include "coilwright/actuator/number_widths.hpp"
 #include "coilwright/magnetics/magnet_grade.hpp"
 #include "coilwright/mechanics/silicone_grade.hpp"
 #include "coilwright/mechanics/silicone_hinge.hpp"
@@ -48,11 +50,30 @@ Listing magnet_listing() {
 }
 
 Listing spread_listing() {
-  Listing listing{.columns = {"number", "sd", "relative_sd", "source"}, .rows = {}};
-  for (const sizing::UsualScatter& usual : sizing::usual_scatters()) {
-    const double deviation = std::get<sizing::NormalDeviation>(usual.scatter.about).sd;
-    const auto where = [&](bool relative) { return stated(usual.scatter.relative == relative ? deviation : 0.0); };
-    listing.rows.push_back({usual.scatter.name, where(false), where(true), std::string(usual.source)});
+  Listing listing{.columns = {"number", "sd", "relative_sd", "parts", "source"}, .rows = {}};
+  for (const auto& [making, parts] :
+       {std::pair(sizing::Making::printed, "usual"), std::pair(sizing::Making::by_hand, "by_hand")})
+    for (const sizing::UsualScatter& usual : sizing::usual_scatters(making)) {
+      const double deviation = std::get<sizing::NormalDeviation>(usual.scatter.about).sd;
+      const auto where = [&](bool relative) { return stated(usual.scatter.relative == relative ? deviation : 0.0); };
+      listing.rows.push_back(
+          {usual.scatter.name, where(false), where(true), std::string(parts), std::string(usual.source)});
+    }
+  return listing;
+}
+
+Listing width_listing() {
+  using In = actuator::NumberWidth::In;
+  Listing listing{.columns = {"number", "in", "least", "greatest", "what", "source", "settled_by"}, .rows = {}};
+  for (const actuator::NumberWidth& width : actuator::number_widths()) {
+    const bool has_ends = width.greatest > width.least;
+    const auto end = [&](double value) { return has_ends ? Listing::Cell(value) : Listing::Cell(); };
+    const std::string in = !has_ends                    ? ""
+                           : width.in == In::deviations ? "deviations"
+                           : width.in == In::shares     ? "shares"
+                                                        : "values";
+    listing.rows.push_back({std::string(width.name), in, end(width.least), end(width.greatest),
+                            std::string(width.subject), std::string(width.source), std::string(width.settled_by)});
   }
   return listing;
 }

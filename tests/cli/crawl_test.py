@@ -16,7 +16,7 @@ class Crawl(ProgramTest):
 
     def test_the_paper_s_robot(self):
         answer = self.crawl()
-        self.assertAlmostEqual(answer["mass_g"], 91, delta=1)
+        self.assertAlmostEqual(answer["crawler_mass_g"], 91, delta=1)
         self.assertAlmostEqual(answer["coil_current_A"], 1.05, delta=0.005)
         self.assertAlmostEqual(answer["power_W"], 4.41, delta=0.03 * 4.41)  # less what motion induces
         # The cell is empty after its capacity over the mean current.

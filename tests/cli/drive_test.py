@@ -16,7 +16,31 @@ def answer(*arguments):
     return json.loads(run("drive", FINGER, *arguments, "--json").stdout)
 
 
+def leaves(node):
+    for key, value in node.items() if isinstance(node, dict) else enumerate(node):
+        if isinstance(value, (dict, list)):
+            yield from leaves(value)
+        elif isinstance(value, float) and isinstance(key, str):
+            yield key, value
+
+
 class Drive(ProgramTest):
+    def test_a_name_that_is_of_the_finger_alone_has_one_meaning(self):
+        # What no current and no duty changes is no figure of a pose, a drive or a use: whichever command says it, it is the same.
+        cold, warm = (dict(leaves(json.loads(run("evaluate", FINGER, "--current-A", current, "--duty", duty, "--json").stdout)))
+                      for current, duty in (("0.5", "0.3"), ("1.2", "0.7")))
+        shared = set()
+        for command in (("drive", FINGER, "--duty", "0.1"), ("grip", FINGER, "--width-mm", "60", "--mass-g", "40", "--friction", "0.8"),
+                        ("crawl", FINGER, "--friction-forwards", "0.3", "--friction-backwards", "0.6", "--periods", "2"),
+                        ("linearise", FINGER, "--current-A", "1")):
+            for name, value in leaves(json.loads(run(*command, "--json").stdout)):
+                if name not in cold:
+                    continue
+                shared.add(name)
+                if cold[name] == warm[name]:
+                    self.assertAlmostEqual(value / cold[name], 1, places=6, msg=f"{command[0]}: {name}")
+        self.assertGreater(len(shared), 5)
+
     def test_says_which_duty_gives_a_mean_current(self):
         text = run("drive", FINGER, "--mean-A", "1.4", "--wiring", "series", "--actuators", "2").stdout
         self.assertIn("H-bridge of 24 V, 4 coils in series, 490 Hz, slow decay, coils at 20 degC\n", text)

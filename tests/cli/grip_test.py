@@ -21,7 +21,7 @@ class Grip(ProgramTest):
         self.assertGreater(answer["capacity_N"], answer["load_N"])
         self.assertEqual([each["finger"] for each in answer["contacts"]], ["left", "right"])
         # The paper's Table III; its fingers have prices of their own.
-        self.assertAlmostEqual(answer["cost_USD"], 44, delta=0.02)
+        self.assertAlmostEqual(answer["gripper_cost_USD"], 44, delta=0.02)
         self.assertEqual(answer["pneumatic_cost_USD"], 607)
         self.assertIn("cost 44 USD; the pneumatic gripper of the paper's Table III 607 USD.\n", text)
 
@@ -45,10 +45,14 @@ class Grip(ProgramTest):
     def test_says_how_far_the_object_may_be_off(self):
         text = run("grip", FINGER, *BALL).stdout
         self.assertRegex(text, r"\n  height of the object  .*mm.* lower to .*mm.* higher\n"
-                               r"  width of the object   .* wider\n  mounting angle        .* further out\n")
+                               r"  width of the object   .* wider\n"
+                               r"  spacing of the palm   .* wider\n  mounting angle        .* further out\n")
         off = json.loads(run("grip", FINGER, *BALL, "--json").stdout)["placement_tolerance"]
         moved = [*BALL, "--centre-below-palm-mm", str(16 + off["lower_mm"]), "--json"]
         self.assertTrue(json.loads(run("grip", FINGER, *moved).stdout)["holds"])
+        for sign, key in ((-1, "spacing_narrower_mm"), (1, "spacing_wider_mm")):
+            palm = [*BALL, "--spacing-mm", str(70 + sign * off[key]), "--json"]
+            self.assertTrue(json.loads(run("grip", FINGER, *palm).stdout)["holds"], key)
         lost = run("grip", FINGER, "--width-mm", "60", "--mass-g", "400", "--friction", "0.8", "--json")
         self.assertIsNone(json.loads(lost.stdout)["placement_tolerance"]["lower_mm"])
 

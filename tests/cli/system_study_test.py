@@ -84,7 +84,7 @@ class SystemStudy(ProgramTest):
         block = {**CRAWLER, "frequency_Hz": variables["crawler_frequency_Hz"], "duty": variables["crawler_duty"]}
         said = json.loads(run("crawl", "out/actuator.json", *options(block, block), "--json", cwd=self.folder).stdout)
         self.assert_same(found, tuple((quantity, key, 1) for quantity, key in (
-            ("crawler_mass_g", "mass_g"), ("crawl_speed_mm_s", "speed_mm_s"),
+            ("crawler_mass_g", "crawler_mass_g"), ("crawl_speed_mm_s", "speed_mm_s"),
             ("crawl_coil_current_A", "coil_current_A"),
             ("crawl_mean_current_A", "mean_cell_current_A"), ("crawl_power_W", "power_W"),
             ("crawl_run_time_s", "run_time_s"), ("crawl_distance_per_charge_m", "distance_per_charge_m"),

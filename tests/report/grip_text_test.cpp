@@ -30,6 +30,7 @@ GripAnswer held_ball(int fingers) {
       {.finger = 1, .link = 0, .along = 0.00311, .position = {0.0285, -0.0252}, .normal = 0.3, .friction = -0.05}};
   out.tolerance = {.height = {.below = 2e-3, .above = 5e-3},
                    .width = {.below = 0.0, .above = 0.75e-3},
+                   .spacing = {.below = 1.5e-3, .above = 1e-3},
                    .mounting_angle = {.below = 15.0 * degree, .above = 0.5 * degree}};
   out.cost = 44.2;
   out.burns_from = 1.9;
@@ -50,6 +51,7 @@ TEST(GripText, SaysWhatHoldsTheObjectAndHowFarThatMayBeOff) {
             "How far off one of these may be, the others as given, and it is still held\n"
             "  height of the object  2 mm lower to 5 mm or more higher\n"
             "  width of the object   less than 0.1 mm narrower to 0.75 mm wider\n"
+            "  spacing of the palm   1.5 mm narrower to 1 mm wider\n"
             "  mounting angle        15 deg or more further in to 0.5 deg further out\n"
             "MIND: less than a millimetre loses it, and hands and printed palms are off by that.\n"
             "\n"

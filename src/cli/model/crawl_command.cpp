@@ -87,7 +87,7 @@ using Rows = std::vector<std::pair<std::string, std::optional<double>>>;
 Rows rows_of(const Answer& answer) {
   const systems::Crawl& crawl = answer.crawl;
   const systems::CrawlPowers& powers = crawl.powers;
-  Rows rows{{"mass_g", answer.mass * 1e3},
+  Rows rows{{"crawler_mass_g", answer.mass * 1e3},
             {"speed_mm_s", crawl.speed * 1e3},
             {"speed_scatter_mm_s", crawl.speed_scatter * 1e3},
             {"coil_current_A", crawl.pulse_current},

@@ -72,7 +72,7 @@ Json to_json(const systems::DrivenActuator& driven) {
                            {"steady_hot_spot_degC", number_or_null(driven.steady_hot_spot)},
                            {"emf_per_rate_mVs_rad", driven.motion.emf_per_rate * 1e3},
                            Json::quantity("motional_damping_Nmms_rad", driven.motion.damping),
-                           Json::quantity("joint_damping_Nmms_rad", driven.motion.joint_damping)});
+                           Json::quantity("all_joints_damping_Nmms_rad", driven.motion.joint_damping)});
   if (driven.run_time) out.set("run_time_s", number_or_null(driven.run_time));
   out.set("warnings", Json::list(driven.warnings, [](systems::DriveWarning each) { return name_of(each); }));
   return out;

@@ -47,6 +47,8 @@ Json to_json(const GripAnswer& answer) {
                     {"higher_mm", side(tolerance.height.above * 1e3)},
                     {"narrower_mm", side(tolerance.width.below * 1e3)},
                     {"wider_mm", side(tolerance.width.above * 1e3)},
+                    {"spacing_narrower_mm", side(tolerance.spacing.below * 1e3)},
+                    {"spacing_wider_mm", side(tolerance.spacing.above * 1e3)},
                     {"mounting_further_in_deg", side(tolerance.mounting_angle.below * units::degrees_per_radian)},
                     {"mounting_further_out_deg", side(tolerance.mounting_angle.above * units::degrees_per_radian)}}));
   out.set("closing_time_ms", grasp.both_touched ? Json(grasp.closing_time * 1e3) : Json());
@@ -57,7 +59,7 @@ Json to_json(const GripAnswer& answer) {
   if (answer.magnets_cold)
     out.set("irreversible_loss_held_pct",
             answer.magnets_held ? Json(answer.magnets_held->irreversible_loss * 100.0) : Json());
-  out.set("cost_USD", answer.cost).set("pneumatic_cost_USD", actuator::PneumaticGripperCost{}.total());
+  out.set("gripper_cost_USD", answer.cost).set("pneumatic_cost_USD", actuator::PneumaticGripperCost{}.total());
   if (answer.heat) {
     out.set("continuous_current_A", answer.heat->current_for_good());
     out.set("time_to_limit_s", answer.heat->time_to_limit);

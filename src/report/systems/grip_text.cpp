@@ -115,9 +115,11 @@ std::string tolerances_text(const GripAnswer& answer) {
   constexpr double degree = 1.0 / units::degrees_per_radian;
   return fmt::format(
       "\nHow far off one of these may be, the others as given, and it is still held\n"
-      "  height of the object  {}\n  width of the object   {}\n  mounting angle        {}\n{}",
+      "  height of the object  {}\n  width of the object   {}\n  spacing of the palm   {}\n  mounting angle        "
+      "{}\n{}",
       tolerance_text(tolerance.height, tried_lengths, 1e-3, "mm", "lower", "higher"),
       tolerance_text(tolerance.width, tried_lengths, 1e-3, "mm", "narrower", "wider"),
+      tolerance_text(tolerance.spacing, tried_lengths, 1e-3, "mm", "narrower", "wider"),
       tolerance_text(tolerance.mounting_angle, tried_angles, degree, "deg", "further in", "further out"),
       tolerance.smallest_length() < usual_placement
           ? "MIND: less than a millimetre loses it, and hands and printed palms are off by that.\n"

@@ -90,7 +90,8 @@ class Results {
         tolerance_(of_try(grasp_, [](const Tried& done, const DesignView& design) -> Value {
           if (!done.grasp.holds) return 0.0;
           const auto off = tried_with(done.task, [&] {
-            return length_tolerance(done.gripper, done.task.object, grasp_task(done.task, design.point.current));
+            return length_tolerance(design.design, done.gripper, done.task.object,
+                                    grasp_task(done.task, design.point.current));
           });
           const auto* found = std::get_if<double>(&off);
           return found == nullptr ? Value() : Value(*found * 1e3);
@@ -123,7 +124,8 @@ class Results {
 
   ResultQuantity placement_tolerance_quantity() const {
     return with_reason({.name = "grip_placement_tolerance_mm",
-                        .meaning = "how far height and width of the object may be off, each way, and it is still held; "
+                        .meaning = "how far height and width of the object and spacing of the palm may be off, each "
+                                   "way, and it is still held; "
                                    "tried up to 2; 0 where it is not held as planned",
                         .scale = 1.0,
                         .value = [tolerance = tolerance_](const DesignView& design) { return *tolerance.of(design); },

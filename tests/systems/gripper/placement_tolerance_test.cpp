@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -36,6 +37,25 @@ TEST(PlacementTolerance, HoldsWithinAndLosesTheObjectBeyond) {
   }
   EXPECT_TRUE(lost_lower);
   EXPECT_TRUE(lost_higher);
+}
+
+// The palm is off as well: what is said of its spacing is what grasps between the fingers so spaced do.
+TEST(PlacementTolerance, IsOfTheSpacingOfThePalmToo) {
+  const Object object = cylinder(0.064);
+  const auto holds_spaced = [&](double wider) {
+    Mounting other = mounting;
+    other.spacing += wider;
+    return grasp(Gripper(actuator::Design{}, other), object, task).holds;
+  };
+  const Tolerance found = placement_tolerance(actuator::Design{}, mounting, object, task).spacing;
+  EXPECT_TRUE(holds_spaced(-0.63 * found.below));
+  EXPECT_TRUE(holds_spaced(0.63 * found.above));
+  const auto beyond = [&](double held, double sign) {
+    const auto next = std::ranges::upper_bound(tried_lengths, held);
+    return next == tried_lengths.end() || !holds_spaced(sign * *next);
+  };
+  EXPECT_TRUE(beyond(found.below, -1.0));
+  EXPECT_TRUE(beyond(found.above, 1.0));
 }
 
 // What needs all of the grip leaves less room to be off, and what is not held has none.

@@ -27,21 +27,23 @@ struct Tolerance {
 struct PlacementTolerance {
   Tolerance height;          ///< of the object's centre, m; above: nearer to the palm
   Tolerance width;           ///< of the object, m; its mass stays
+  Tolerance spacing;         ///< of the fingers' base joints, m; the object stays
   Tolerance mounting_angle;  ///< of all fingers, rad; above: further open
 
-  /// The smallest of those of height and width, m.
+  /// The smallest of those of height, width and spacing, m.
   [[nodiscard]] double smallest_length() const;
 };
 
-/// Of an object that is held as planned; all 0 for one that is not. Each deviation is a grasp of its own, up to 54 of
+/// Of an object that is held as planned; all 0 for one that is not. Each deviation is a grasp of its own, up to 72 of
 /// them; where the open fingers leave no room, the object is lost. Rigid segments and object: a deviation that puts a
 /// contact from one segment onto the next shows as the jump that it is. Throws as Gripper and grasp() do for the plan
 /// itself.
 [[nodiscard]] PlacementTolerance placement_tolerance(const actuator::Design& finger, const Mounting& mounting,
                                                      const Object& object, const GraspTask& task);
 
-/// The smallest of those of height and width, m, tried up to 2 mm, of an object that is held as planned: for searches.
-/// Up to 28 grasps, the fewer the less is left. Throws as grasp().
-[[nodiscard]] double length_tolerance(const Gripper& gripper, const Object& object, const GraspTask& task);
+/// The smallest of those of height, width and spacing, m, tried up to 2 mm, of an object that is held as planned: for
+/// searches; `gripper` is of that finger. Up to 42 grasps, the fewer the less is left. Throws as grasp().
+[[nodiscard]] double length_tolerance(const actuator::Design& finger, const Gripper& gripper, const Object& object,
+                                      const GraspTask& task);
 
 }  // namespace coilwright::systems::gripper

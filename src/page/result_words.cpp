@@ -108,7 +108,7 @@ std::vector<std::string> cautions_of_parts(const Node& result) {
   std::vector<std::string> out;
   if (was_interrupted(result)) out.emplace_back(interrupted_caution);
   if (!broken.empty())
-    out.push_back(fmt::format("BEWARE: the study does not set limits of the parts. {}.", fmt::join(broken, "; ")));
+    out.push_back(fmt::format("BEWARE: they break limits of their parts. {}.", fmt::join(broken, "; ")));
   if (!conditional.empty()) out.push_back(fmt::format("MIND: {}.", fmt::join(conditional, "; ")));
   return out;
 }

@@ -33,7 +33,7 @@ std::string search_stop_reason(const Node& result) {
   return reason ? reason->text() : cell_of(result, "stop_reason");
 }
 
-// Of an interrupted run, of what the design found breaks of its parts as the study does not set it, and of limits that
+// Of an interrupted run, of what the design found breaks of its parts, and of limits that
 // too few builds keep.
 std::vector<std::string> cautions_of_design(const Node& result, const std::optional<sizing::Yield>& built) {
   const auto limits = result.find("part_limits");
@@ -53,8 +53,7 @@ std::vector<std::string> cautions_of_design(const Node& result, const std::optio
                                                                  : report::interrupted_after_search);
   if (!is_feasible(result)) return out;
   if (!broken.empty())
-    out.push_back(fmt::format("BEWARE: it breaks limits of its parts that the study does not set ({}).",
-                              fmt::join(broken, "; ")));
+    out.push_back(fmt::format("BEWARE: it breaks limits of its parts ({}).", fmt::join(broken, "; ")));
   if (broken.empty() && !conditional.empty()) out.push_back(fmt::format("MIND: {}.", fmt::join(conditional, "; ")));
   if (built)
     if (std::string shortfalls = report::shortfalls_of_answer_text(*built); !shortfalls.empty())

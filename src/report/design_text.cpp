@@ -30,6 +30,24 @@ std::string lines_of(std::span<const sizing::BrokenPartLimit> broken, bool condi
   return text;
 }
 
+// Those of which the study limits neither the design's own figure nor that of its builds.
+std::vector<std::string_view> unlimited(const Study& study, std::span<const sizing::BrokenPartLimit> broken,
+                                        bool conditional) {
+  std::vector<std::string_view> names;
+  for (const sizing::BrokenPartLimit& each : broken)
+    if (each.conditional == conditional && std::ranges::none_of(study.limits, [&](const sizing::Limit& limit) {
+          return of_one_build(limit).name == each.quantity;
+        }))
+      names.push_back(each.quantity);
+  return names;
+}
+
+std::string advice_text(std::string_view beginning, const std::vector<std::string_view>& names) {
+  if (names.empty()) return {};
+  return fmt::format("{} in the study's \"constraints\", and run it anew: {}; evaluate says what the limits are.\n",
+                     beginning, fmt::join(names, ", "));
+}
+
 }  // namespace
 
 std::string value_text(const sizing::StudyVariable& variable, double coordinate) {
@@ -62,19 +80,15 @@ std::string reasons_for_infeasibility(const Study& study, const Evaluation& eval
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-std::string warning_of_parts(std::span<const sizing::BrokenPartLimit> broken, std::string_view which,
-                             std::size_t designs) {
+std::string warning_of_parts(const Study& study, std::span<const sizing::BrokenPartLimit> broken,
+                             std::string_view which, std::size_t designs) {
   std::string text;
   if (const std::string lines = lines_of(broken, false, designs); !lines.empty())
-    text += fmt::format(
-        "\nBEWARE: {} break limits of their parts that the study does not set\n{}Limit these quantities in the study's "
-        "\"constraints\" and run it anew; evaluate says what the limits are.\n",
-        which, lines);
+    text += fmt::format("\nBEWARE: {} break limits of their parts\n{}", which, lines) +
+            advice_text("Limit", unlimited(study, broken, false));
   if (const std::string lines = lines_of(broken, true, designs); !lines.empty())
-    text += fmt::format(
-        "\nMIND what {} need, or give up\n{}Where that will not do, limit these quantities in the study's "
-        "\"constraints\"; evaluate says what the limits are.\n",
-        which, lines);
+    text += fmt::format("\nMIND what {} need, or give up\n{}", which, lines) +
+            advice_text("Where that will not do, limit", unlimited(study, broken, true));
   return text;
 }
 

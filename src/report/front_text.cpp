@@ -75,7 +75,8 @@ std::string to_text(const Study& study, const ParetoResult& result, std::span<co
                      result.front.size(), meaning_of(result.stop_reason), result.evaluations,
                      to_text(formats::counts_of(result.archive)),
                      late_gain_text(result.stop_reason, result.archive, result.evaluations)) +
-         absent_configurations(study, result) + warning_of_parts(broken, "designs of this front", result.front.size());
+         absent_configurations(study, result) +
+         warning_of_parts(study, broken, "designs of this front", result.front.size());
 }
 
 }  // namespace coilwright::report

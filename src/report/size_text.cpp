@@ -131,7 +131,13 @@ std::string parts_text(const formats::SizeReport& report) {
       return of_one_build(limit).name == each.quantity;
     });
   });
-  return warning_of_parts(broken, report.study.spread.has_value()) + doubts_text(report.study.base);
+  const auto limit_in_study = [&](std::string_view quantity, bool at_most) -> std::optional<double> {
+    const auto found = std::ranges::find_if(report.study.limits, [&](const Limit& limit) {
+      return limit.quantity.name == quantity && (limit.side == Limit::Side::at_most) == at_most;
+    });
+    return found == report.study.limits.end() ? std::nullopt : std::optional(found->value);
+  };
+  return warning_of_parts(broken, report.study.spread.has_value(), limit_in_study) + doubts_text(report.study.base);
 }
 
 std::string limits_text(const formats::SizeReport& report) {

@@ -30,10 +30,10 @@ namespace coilwright::report {
 [[nodiscard]] std::string reasons_for_infeasibility(const sizing::Study& study, const sizing::Evaluation& evaluation);
 
 /// A warning that so many of `designs` designs break limits of their parts, and then conditional ones, each limit with
-/// what happens beyond it, and what to do; `which` names the designs: "designs of this front". Empty where none breaks
-/// any.
-[[nodiscard]] std::string warning_of_parts(std::span<const sizing::BrokenPartLimit> broken, std::string_view which,
-                                           std::size_t designs);
+/// what happens beyond it, and which the study does not limit yet; `which` names the designs: "designs of this front".
+/// Empty where none breaks any.
+[[nodiscard]] std::string warning_of_parts(const sizing::Study& study, std::span<const sizing::BrokenPartLimit> broken,
+                                           std::string_view which, std::size_t designs);
 
 // search_text.cpp
 

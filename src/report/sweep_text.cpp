@@ -60,7 +60,7 @@ std::string to_text(const formats::SweepReport& report) {
                                           sizing::name_of(sample->sampling), sample->seed)
                             : "",
                      ok) +
-         warning_of_parts(broken, "the best designs", sizing::feasible_designs(leaders).size());
+         warning_of_parts(study, broken, "the best designs", sizing::feasible_designs(leaders).size());
 }
 
 }  // namespace coilwright::report

@@ -101,24 +101,53 @@ std::string state_of(const PartLimit& limit) {
   return fmt::format("{}: {}", limit.conditional ? "MIND" : "BROKEN", limit.consequence);
 }
 
-// A line for each, and the constraints that keep them.
-std::string lines_of(std::span<const PartLimit> broken, bool in_builds, std::string_view advice) {
+// What a study says to keep a limit.
+struct Constraint {
+  std::string quantity;
+  bool at_most = true;
+  double limit{};
+
+  [[nodiscard]] bool is_kept_by(double other) const { return at_most ? other <= limit : other >= limit; }
+  [[nodiscard]] std::string text() const {
+    return fmt::format(R"({{"quantity": "{}", "{}": {:.5g}}})", quantity, at_most ? "at_most" : "at_least", limit);
+  }
+};
+
+Constraint constraint_of(const PartLimit& limit, bool in_builds) {
+  const std::string_view statistic = !in_builds ? "" : limit.at_most ? "p95_" : "p05_";
+  // The limits of temperature are those of one wire and one grade of magnet, which the study may vary: the load is
+  // over whichever the design has.
+  if (limit.quantity.ends_with("_degC"))
+    return {.quantity = fmt::format("{}thermal_load", statistic), .at_most = true, .limit = 1.0};
+  return {.quantity = fmt::format("{}{}", statistic, limit.quantity), .at_most = limit.at_most, .limit = limit.limit};
+}
+
+std::string sentence_of(std::string_view beginning, const std::vector<std::string>& constraints,
+                        std::string_view end = "") {
+  return constraints.empty() ? "" : fmt::format("{}: {}{}\n", beginning, fmt::join(constraints, ", "), end);
+}
+
+// A line for each, and the constraints that keep them, by whether the study has them already.
+std::string lines_of(std::string_view title, std::span<const PartLimit> broken, bool in_builds,
+                     const LimitInStudy& limit_in_study, std::string_view add) {
   std::string text;
-  std::vector<std::string> constraints;
+  std::vector<std::string> missing;
+  std::vector<std::string> loose;
+  std::vector<std::string> there;
   for (const PartLimit& limit : broken) {
-    const char* side = limit.at_most ? "at_most" : "at_least";
     text += fmt::format("  {:<34} {:>10}  {} {:.5g}: {}\n", limit.quantity, value_text(limit),
                         limit.at_most ? "at most" : "at least", limit.limit, limit.consequence);
-    // The limits of temperature are those of one wire and one grade of magnet, which the study may vary: the load is
-    // over whichever the design has.
-    const bool of_heat = limit.quantity.ends_with("_degC");
-    const std::string_view statistic = !in_builds ? "" : limit.at_most ? "p95_" : "p05_";
-    std::string constraint =
-        of_heat ? fmt::format(R"({{"quantity": "{}thermal_load", "at_most": 1}})", statistic)
-                : fmt::format(R"({{"quantity": "{}{}", "{}": {:.5g}}})", statistic, limit.quantity, side, limit.limit);
-    if (std::ranges::find(constraints, constraint) == constraints.end()) constraints.push_back(std::move(constraint));
+    const Constraint constraint = constraint_of(limit, in_builds);
+    const std::optional<double> in_study = limit_in_study(constraint.quantity, constraint.at_most);
+    std::vector<std::string>& list = !in_study ? missing : constraint.is_kept_by(*in_study) ? there : loose;
+    if (std::string each = constraint.text(); std::ranges::find(list, each) == list.end())
+      list.push_back(std::move(each));
   }
-  return text + fmt::format("{} {}\n", advice, fmt::join(constraints, ", "));
+  return fmt::format("\n{}\n{}", title, text) +
+         sentence_of(fmt::format("{} to the study's \"constraints\" and size anew", add), missing) +
+         sentence_of("Tighten in the study's \"constraints\" and size anew", loose) +
+         sentence_of("In the study already, and kept by as many builds as it asks for", there,
+                     "; the design itself, used as its file says, does not keep it");
 }
 
 }  // namespace
@@ -132,7 +161,7 @@ std::string to_text(std::span<const PartLimit> limits) {
   return text;
 }
 
-std::string warning_of_parts(std::span<const PartLimit> broken, bool in_builds) {
+std::string warning_of_parts(std::span<const PartLimit> broken, bool in_builds, const LimitInStudy& limit_in_study) {
   const auto those = [&](bool conditional) {
     std::vector<PartLimit> out(broken.begin(), broken.end());
     std::erase_if(out, [conditional](const PartLimit& limit) { return limit.conditional != conditional; });
@@ -140,12 +169,10 @@ std::string warning_of_parts(std::span<const PartLimit> broken, bool in_builds) 
   };
   std::string text;
   if (const std::vector<PartLimit> fatal = those(false); !fatal.empty())
-    text += "\nBEWARE: this design breaks limits of its parts that the study does not set\n" +
-            lines_of(fatal, in_builds, "Add to the study's \"constraints\" and size anew:");
+    text += lines_of("BEWARE: this design breaks limits of its parts", fatal, in_builds, limit_in_study, "Add");
   if (const std::vector<PartLimit> conditional = those(true); !conditional.empty())
-    text +=
-        "\nMIND what this design needs, or gives up\n" +
-        lines_of(conditional, in_builds, "Where that will not do, add to the study's \"constraints\" and size anew:");
+    text += lines_of("MIND what this design needs, or gives up", conditional, in_builds, limit_in_study,
+                     "Where that will not do, add");
   return text;
 }
 

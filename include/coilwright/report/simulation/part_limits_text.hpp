@@ -1,7 +1,10 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "coilwright/actuator/calibration_doubts.hpp"
 #include "coilwright/simulation/choice_effects.hpp"
@@ -9,9 +12,14 @@
 
 namespace coilwright::report {
 
-/// A warning of limits that a design breaks as its study does not set them, then of conditional ones, each with how to
-/// keep them; empty where there are none. `in_builds`: they are to be kept by 95 % of the builds of a study's spread.
-[[nodiscard]] std::string warning_of_parts(std::span<const simulation::PartLimit> broken, bool in_builds);
+/// The limit that a study sets to a quantity of that name, on that side; nothing where it sets none.
+using LimitInStudy = std::function<std::optional<double>(std::string_view quantity, bool at_most)>;
+
+/// A warning of limits that a design breaks, then of conditional ones, each with what the study would have to say to
+/// keep them and does not say yet; empty where there are none. `in_builds`: they are to be kept by 95 % of the builds
+/// of a study's spread.
+[[nodiscard]] std::string warning_of_parts(std::span<const simulation::PartLimit> broken, bool in_builds,
+                                           const LimitInStudy& limit_in_study);
 
 /// Measured values that lie far from what the dimensions of the same file give; empty where none does.
 [[nodiscard]] std::string doubts_text(const actuator::Design& design);

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -140,6 +142,23 @@ std::string parts_text(const formats::SizeReport& report) {
   return warning_of_parts(broken, report.study.spread.has_value(), limit_in_study) + doubts_text(report.study.base);
 }
 
+// Which limits a build keeps in all of its uses, by the share of the builds that the study asks for.
+std::string every_use_text(const Study& study) {
+  if (!study.spread || !has_uses(*study.spread)) return {};
+  std::map<int, std::vector<std::string>, std::greater<>> names;
+  for (const Limit& limit : study.limits) {
+    const std::optional<StatisticName> parts = statistic_named(limit.quantity.name);
+    if (!parts || !of_one_build(limit).in_every_use) continue;
+    const int percent = parts->statistic.percent;
+    names[limit.side == Limit::Side::at_most ? percent : 100 - percent].push_back(limit.quantity.name);
+  }
+  const double share = share_of_uses(*study.spread);
+  std::string text;
+  for (const auto& [percent, each] : names)
+    text += fmt::format("  {} % of fingers keep this {}: {}\n", percent, uses_text(share), fmt::join(each, ", "));
+  return text;
+}
+
 std::string limits_text(const formats::SizeReport& report) {
   const Evaluation& best = report.result.best->evaluation;
   const Study& study = report.study;
@@ -156,7 +175,7 @@ std::string limits_text(const formats::SizeReport& report) {
     table.row({name_of(limit), short_number(formats::value_behind(limit, best.constraints[i])),
                margin_text(margin, limit.quantity), remark});
   }
-  return "\nLimits\n" + table.text(2, {left, right, right, left});
+  return "\nLimits\n" + table.text(2, {left, right, right, left}) + every_use_text(study);
 }
 
 std::string relaxations_text(const formats::SizeReport& report) {

@@ -1,6 +1,7 @@
 #include "coilwright/report/yield_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <vector>
@@ -20,13 +21,19 @@ std::string percent(const sizing::Share& share) {
   return fmt::format("{:.4g} % ({:.4g} to {:.4g})", 100.0 * share.value, 100.0 * share.low, 100.0 * share.high);
 }
 
+std::string kept_text(const sizing::BuiltQuantity& quantity) {
+  std::string out = quantity.keeps ? percent(*quantity.keeps) : "";
+  if (quantity.of_uses) out += (out.empty() ? "" : " ") + uses_text(*quantity.of_uses);
+  return out;
+}
+
 std::string quantities_text(const sizing::Yield& yield) {
   TextTable table;
   table.row({"of the builds", "designed", "5 %", "50 %", "95 %", "limit", "kept by (95 % interval)"});
   for (const sizing::BuiltQuantity& each : yield.quantities)
     table.row({each.name, number_or_none(each.nominal), number_or_none(each.p05), number_or_none(each.p50),
                number_or_none(each.p95), each.keeps ? each.limit.substr(each.limit.find(' ') + 1) : "",
-               each.keeps ? percent(*each.keeps) : ""});
+               kept_text(each)});
   return table.text(0, {left, right, right, right, right, right, left});
 }
 
@@ -86,16 +93,32 @@ std::string shortfalls_text(const sizing::Yield& yield) {
   std::string out;
   for (const sizing::BuiltQuantity& each : yield.quantities)
     if (each.falls_short())
-      out += fmt::format("MIND: {} is kept by {}, not by the {:.0f} % that the study asks for.\n", each.limit,
-                         percent(*each.keeps), 100.0 * *each.asked);
+      out += fmt::format("MIND: {} is kept{} by {}, not by the {:.0f} % that the study asks for.\n", each.limit,
+                         each.of_uses ? " " + uses_text(*each.of_uses) : "", percent(*each.keeps), 100.0 * *each.asked);
   return out;
 }
 
 std::string share_text(const sizing::Yield& yield) {
-  return fmt::format("{} of {} builds by fresh dice keep every limit\n", percent(yield.keeps_all), yield.builds);
+  std::vector<std::string> names;
+  double share = 1.0;
+  for (const sizing::BuiltQuantity& each : yield.quantities) {
+    if (!each.of_uses) continue;
+    share = *each.of_uses;
+    names.push_back(each.name);
+  }
+  std::string out =
+      fmt::format("{} of {} builds by fresh dice keep every limit\n", percent(yield.keeps_all), yield.builds);
+  if (!names.empty())
+    out += fmt::format("  {}, its worst: {}; all else in one use of each build, by dice\n", uses_text(share),
+                       fmt::join(names, ", "));
+  return out;
 }
 
 }  // namespace
+
+std::string uses_text(double share) {
+  return share < 1.0 ? fmt::format("in {:.4g} % of uses", 100.0 * share) : "in every use";
+}
 
 std::string built_text(const sizing::Yield& yield) {
   const sizing::BuiltQuantity& objective = yield.quantities.front();

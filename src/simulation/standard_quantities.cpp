@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -365,6 +366,28 @@ std::vector<ResultQuantity> rows() {
   };
 }
 
+// Heat and what it takes from the magnets.
+std::vector<ResultQuantity> with_what_lasts(std::vector<ResultQuantity> rows) {
+  constexpr std::array lasting{"demagnetisation_margin",
+                               "demagnetisation_margin_worst_point",
+                               "irreversible_loss_pct",
+                               "continuous_current_A",
+                               "magnet_continuous_current_A",
+                               "runaway_current_A",
+                               "thermal_load",
+                               "thermal_load_free",
+                               "thermal_load_gripping",
+                               "thermal_load_still_air",
+                               "time_to_limit_s",
+                               "time_to_limit_warm_s",
+                               "coil_hot_spot_degC",
+                               "coil_temperature_degC",
+                               "magnet_temperature_degC",
+                               "skin_temperature_degC"};
+  for (ResultQuantity& row : rows) row.in_every_use = std::ranges::count(lasting, row.name) > 0;
+  return rows;
+}
+
 Value angle_of(const mechanics::JointVector& angles, Eigen::Index joint) {
   return joint < angles.size() ? Value(angles[joint] * units::degrees_per_radian) : Value();
 }
@@ -398,7 +421,7 @@ std::span<const ResultQuantity> joint_quantities() {
 }
 
 const QuantityTable& standard_quantities() {
-  static const QuantityTable table{rows()};
+  static const QuantityTable table{with_what_lasts(rows())};
   return table;
 }
 

@@ -19,8 +19,8 @@ const ResultQuantity& supply_load() {
         if (!voltage || !design.point.supply.voltage) return std::nullopt;
         return *voltage / *design.point.supply.voltage;
       },
-      .absence =
-          "the operating point states no supply voltage, or is beyond the current that has a steady temperature"};
+      .absence = "the operating point states no supply voltage, or is beyond the current that has a steady temperature",
+      .in_every_use = true};
   return load;
 }
 

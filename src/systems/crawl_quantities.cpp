@@ -92,9 +92,10 @@ std::vector<ResultQuantity> crawl_quantities(const TaskOf& task) {
                    [](const Tried& crawl) { return crawl.mean_current; }),
           of_crawl(result, "crawl_power_W", "mean power out of the cell", 4.0,
                    [](const Tried& crawl) { return crawl.powers.electrical; }),
-          of_crawl(result, "crawl_thermal_load",
-                   "rms current over the smaller continuous current of coils and magnets, lying straight", 1.0,
-                   [](const Tried& crawl) { return crawl.thermal_load; }),
+          simulation::of_every_use(
+              of_crawl(result, "crawl_thermal_load",
+                       "rms current over the smaller continuous current of coils and magnets, lying straight", 1.0,
+                       [](const Tried& crawl) { return crawl.thermal_load; })),
           of_crawl(result, "crawl_run_time_s", "on one charge, at the cell's full voltage", 500.0,
                    [](const Tried& crawl) { return crawl.run_time; }),
           of_crawl(result, "crawl_distance_per_charge_m", "distance on one charge, at the cell's full voltage", 30.0,

@@ -115,18 +115,20 @@ std::vector<ResultQuantity> driver_quantities(const std::function<Task(const sim
               [](const DriverAnswer& driven, const DesignView&) -> Value { return driven.most_current; }),
           row("driver_peak_A", "largest current of the driver, coils at 20 degC", 1.0,
               [](const DriverAnswer& driven, const DesignView&) -> Value { return driven.cold.peak; }),
-          row("driver_peak_over_limit", "that over the most that bridge or cell bears", 1.0,
-              [](const DriverAnswer& driven, const DesignView&) -> Value { return driven.peak_over_limit; }),
+          simulation::of_every_use(
+              row("driver_peak_over_limit", "that over the most that bridge or cell bears", 1.0,
+                  [](const DriverAnswer& driven, const DesignView&) -> Value { return driven.peak_over_limit; })),
           row("driver_ripple_heat_pct", "heat of the coils beyond that of their mean current, coils at 20 degC", 5.0,
               [](const DriverAnswer& driven, const DesignView&) -> Value {
                 return 100.0 * (heat_ratio(driven.cold) - 1.0);
               }),
-          row("driver_thermal_load", "thermal_load of the current with its ripple", 1.0,
-              [](const DriverAnswer& driven, const DesignView& design) -> Value {
-                static const ResultQuantity load = simulation::standard_quantities().at("thermal_load");
-                const Value mean = load.value(design);
-                return mean ? Value(*mean * std::sqrt(heat_ratio(driven.cold))) : std::nullopt;
-              })};
+          simulation::of_every_use(row("driver_thermal_load", "thermal_load of the current with its ripple", 1.0,
+                                       [](const DriverAnswer& driven, const DesignView& design) -> Value {
+                                         static const ResultQuantity load =
+                                             simulation::standard_quantities().at("thermal_load");
+                                         const Value mean = load.value(design);
+                                         return mean ? Value(*mean * std::sqrt(heat_ratio(driven.cold))) : std::nullopt;
+                                       }))};
 }
 
 }  // namespace coilwright::systems

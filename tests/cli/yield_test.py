@@ -204,7 +204,7 @@ class Yield(ProgramTest):
 
     def test_a_build_whose_driver_cannot_give_the_current_keeps_nothing(self):
         write_study(self, driver={"kind": "h_bridge", "voltage_V": 12, "frequency_Hz": 490}, operating_point={"current_A": 1},
-                    spread={"driver_voltage_V": {"uniform": [-11.5, 1]}}, constraints=[])
+                    spread={"driver_voltage_V": {"uniform": [-11.5, 1], "of": "part"}}, constraints=[])
         answer = self.answer("--builds", "200")
         self.assertGreater(answer["not_built"], 20)
         self.assertAlmostEqual(answer["keeps_all"]["share"], 1 - answer["not_built"] / 200, places=12)
@@ -213,6 +213,10 @@ class Yield(ProgramTest):
         text = run("yield", "study.json", "finger.json", "--builds", "200", "--quiet", cwd=self.folder).stdout
         self.assertIn(f"\n{cause['builds']} of them lack a figure that is asked for, and keep nothing\n  {cause['builds']}  {cause['reason']}\n", text)
         self.assertEqual([row["quantity"] for row in answer["quantities"]], ["peak_bending_speed_deg_s", "driver_thermal_load"])
+        # A voltage of uses all builds meet.
+        write_study(self, driver={"kind": "h_bridge", "voltage_V": 12, "frequency_Hz": 490}, operating_point={"current_A": 1},
+                    spread={"driver_voltage_V": {"uniform": [-11.5, 1]}}, constraints=[])
+        self.assertEqual(self.answer("--builds", "200")["keeps_all"]["share"], 0)
 
     def test_builds_that_run_away_are_told_by_the_figure_that_they_lack(self):
         runaway = json.loads(run("evaluate", PAPER_FINGER, "--current-A", "1.2", "--json").stdout)["runaway_current_A"]

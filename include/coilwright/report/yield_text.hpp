@@ -6,6 +6,9 @@
 
 namespace coilwright::report {
 
+/// "in every use", or "in 99 % of uses": of a share of the uses, > 0 and <= 1.
+[[nodiscard]] std::string uses_text(double share);
+
 /// What becomes of a design when it is built, for a person.
 [[nodiscard]] std::string to_text(const sizing::Yield& yield);
 

@@ -64,7 +64,16 @@ struct ResultQuantity {
   std::optional<actuator::HeldCases> pose{};
   /// Why it has none in a design without a value, where that differs from design to design; empty: always `absence`.
   std::function<NoValue(const DesignView&)> why_absent{};
+  /// Whether it tells what lasts (heat, lost magnetisation) or whether a build can be driven at all. What is said of a
+  /// build is then said of the worst of its uses; of other quantities it is of one use.
+  bool in_every_use{};
 };
+
+/// The quantity as one that is said of the worst of all uses.
+[[nodiscard]] inline ResultQuantity of_every_use(ResultQuantity quantity) {
+  quantity.in_every_use = true;
+  return quantity;
+}
 
 /// Both poses together; nothing where neither is one.
 [[nodiscard]] std::optional<actuator::HeldCases> either(std::optional<actuator::HeldCases> one,

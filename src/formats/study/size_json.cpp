@@ -36,6 +36,7 @@ Json built_json(const BuiltQuantity& quantity) {
                            {"p05", quantity.p05},
                            {"p50", quantity.p50},
                            {"p95", quantity.p95}});
+  if (quantity.of_uses) out.set("of_uses", *quantity.of_uses);
   if (!quantity.keeps) return out;
   out.set("limit", quantity.limit);
   out.set("keeps", share_json(*quantity.keeps));
@@ -75,6 +76,7 @@ BuiltQuantity read_built_quantity(const Node& node) {
                     .p05 = nullable_number(in, "p05"),
                     .p50 = nullable_number(in, "p50"),
                     .p95 = nullable_number(in, "p95")};
+  out.of_uses = in.optional_number("of_uses", share_rule);
   const auto keeps = in.find("keeps");
   if (!keeps) return out;
   out.limit = in.at("limit").name();

@@ -33,14 +33,21 @@ using sizing::Spread;
 constexpr int fewest_draws = 8;
 constexpr int most_draws = 4096;
 // What is no name of a number.
-constexpr std::array<std::string_view, 5> keys_of_spread{"parts", "assumptions", "posterior", "correlations", "draws"};
+constexpr std::array<std::string_view, 6> keys_of_spread{"parts",        "assumptions", "posterior",
+                                                         "correlations", "draws",       "share_of_uses"};
 constexpr Rule any_deviation = Rule::between(-1e6, 1e6);
 
-// {"sd": 0.08}, {"relative_sd": 0.015}, {"uniform": [-1, 1]} or {"relative_uniform": [-0.1, 0.1]}.
+// {"sd": 0.08}, {"relative_sd": 0.015}, {"uniform": [-1, 1]} or {"relative_uniform": [-0.1, 0.1]}; of each also "of".
 Scatter read_scatter(const Node& node, const std::string& name) {
   return read_object(node, [&name](ObjectReader& in) {
     const std::string kind = in.one_of({"sd", "relative_sd", "uniform", "relative_uniform"});
-    Scatter out{.name = name, .about = {}, .relative = kind.starts_with("relative_")};
+    Scatter out{
+        .name = name, .about = {}, .relative = kind.starts_with("relative_"), .of_use = sizing::is_of_use(name)};
+    if (const auto of = in.find("of")) {
+      out.of_use = of->choice<bool>({{"part", false}, {"use", true}});
+      if (out.of_use && sizing::most_parts(name) > 0)
+        throw of->error("must be \"part\": what each joint or magnet has by itself it has for good");
+    }
     if (kind.ends_with("sd")) {
       // From a quarter on the scatter is one of the logarithm: a factor e at 1.
       out.about = sizing::NormalDeviation{in.number(kind, positive.and_also(Rule::at_most(out.relative ? 1.5 : 1e6)))};
@@ -100,6 +107,8 @@ void read_correlation_into(Spread& spread, const Node& node, std::set<std::size_
     const auto found = std::ranges::find(spread.scatters, name.text(), &Scatter::name);
     if (found == spread.scatters.end()) throw name.error("must be a number that scatters in this spread");
     if (sizing::most_parts(name.text()) > 0) throw name.error("must be one number: each part draws its own of this");
+    if (found->of_use)
+      throw name.error("must be of a part: every finger meets all that is of a use (\"of\": \"part\")");
     const auto index = static_cast<std::size_t>(found - spread.scatters.begin());
     if (!taken.insert(index).second) throw name.error("must not be correlated twice");
     group.scatters.push_back(index);
@@ -203,6 +212,8 @@ Spread read_spread(const Node& node, const std::vector<BlockVariable>& of_blocks
   }
   if (const auto draws = node.find("draws"))
     spread.draws = static_cast<std::size_t>(draws->integer<int>(Rule::between(fewest_draws, most_draws)));
+  if (const auto share = node.find("share_of_uses"))
+    spread.share_of_uses = share->number(Rule::above(0.5).and_also(Rule::at_most(1.0)));
   for (const std::string& name : node.keys())
     if (name != comment_key && std::ranges::find(keys_of_spread, name) == keys_of_spread.end())
       read_scatter_into(spread, *node.find(name), name, of_blocks);

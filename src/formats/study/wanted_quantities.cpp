@@ -69,7 +69,7 @@ bool make_known(StudyQuantities& quantities, const std::string& name) {
 
 void refuse_without_spread(const Node& node, const StudyQuantities& quantities, const std::string& name) {
   const std::optional<StatisticName> parts = statistic_named(name);
-  if (parts && !quantities.spread && quantities.known.find(parts->quantity) != nullptr)
+  if (parts && !quantities.spread && quantity_of(*parts, quantities.known))
     throw node.error("is a statistic of builds: needs the block \"spread\" in the study");
 }
 
@@ -79,10 +79,10 @@ std::optional<QuantityTable> table_of_builds(const QuantityTable& known) {
   bool any = false;
   for (const ResultQuantity& each : known) {
     const std::optional<StatisticName> parts = statistic_named(each.name);
-    const ResultQuantity* of = parts ? known.find(parts->quantity) : nullptr;
-    out.push_back(of == nullptr ? each : *of);
+    const std::optional<ResultQuantity> of = parts ? quantity_of(*parts, known) : std::nullopt;
+    out.push_back(of.value_or(each));
     out.back().name = each.name;
-    any = any || of != nullptr;
+    any = any || of;
   }
   return any ? std::optional(QuantityTable(std::move(out))) : std::nullopt;
 }
@@ -154,8 +154,7 @@ std::optional<ResultQuantity> of_build(const ResultQuantity& quantity, const Stu
   if (const auto found = quantities.of_builds.find(quantity.name); found != quantities.of_builds.end())
     return found->second;
   const std::optional<StatisticName> parts = statistic_named(quantity.name);
-  const ResultQuantity* of = quantities.spread && parts ? quantities.known.find(parts->quantity) : nullptr;
-  return of == nullptr ? std::nullopt : std::optional(*of);
+  return quantities.spread && parts ? quantity_of(*parts, quantities.known) : std::nullopt;
 }
 
 StudyObjective read_objective(const Node& node, StudyQuantities& quantities) {

@@ -215,7 +215,8 @@ ResultQuantity expression_quantity(const Expression& expression, const QuantityT
                        .value = [shared](const DesignView& design) { return shared->value(design); },
                        .absence = absence_of(*shared),
                        .unit = suffix,
-                       .pose = pose_of(*shared)};
+                       .pose = pose_of(*shared),
+                       .in_every_use = std::ranges::any_of(shared->operands(), &ResultQuantity::in_every_use)};
     if (shared->tells_why())
       out.why_absent = [shared](const DesignView& design) {
         return shared->why_absent(design, "the expression is not finite there");

@@ -20,6 +20,7 @@
 #include "coilwright/mechanics/joint_vector.hpp"
 #include "coilwright/simulation/supply.hpp"
 #include "coilwright/units/unit.hpp"
+#include "sizing/study/builds.hpp"
 #include "sizing/study/evaluate_design.hpp"
 
 namespace coilwright::sizing {
@@ -32,6 +33,23 @@ constexpr double curve_tolerance_of_builds = 1e-4;
 constexpr std::uint64_t seed_of_builds = 20260101;
 constexpr std::string_view mean_prefix = "mean_";
 constexpr std::string_view deviation_prefix = "sd_";
+constexpr std::string_view worst_prefix = "worst_";
+// Surroundings, what is held or crawled on, and the charge of what feeds the coils.
+constexpr std::array<std::string_view, 15> numbers_of_use{"ambient_degC",
+                                                          "grasp_opening_deg",
+                                                          "supply_voltage_V",
+                                                          "driver_voltage_V",
+                                                          "gripper_width_mm",
+                                                          "gripper_height_mm",
+                                                          "gripper_mass_g",
+                                                          "gripper_friction",
+                                                          "gripper_centre_x_mm",
+                                                          "gripper_centre_below_palm_mm",
+                                                          "gripper_acceleration_m_s2",
+                                                          "crawler_friction_forwards",
+                                                          "crawler_friction_backwards",
+                                                          "crawler_cell_voltage_V",
+                                                          "crawler_payload_mass_g"};
 
 std::vector<double> random_vector(boost::random::mt19937_64& generator, std::size_t dimension) {
   boost::random::uniform_01<double> uniform;
@@ -154,17 +172,13 @@ DesignResult driven(DesignResult result) {
 }
 
 std::vector<std::vector<std::optional<double>>> values_of_builds(const Spread& spread,
-                                                                 const std::vector<simulation::ResultQuantity>& wanted,
+                                                                 const std::vector<AskedOfBuild>& asked,
                                                                  const simulation::DesignView& design) {
-  std::vector<std::vector<std::optional<double>>> out(wanted.size());
+  std::vector<std::vector<std::optional<double>>> out(asked.size());
+  const std::vector<Use> uses = worst_uses(spread, design, asked);
   for (const std::vector<double>& shares : sobol_shares(spread.scatters.size(), spread.draws, seed_of_builds)) {
-    const DesignResult one = built(spread, design, shares);
-    const auto* built_one = std::get_if<EvaluatedDesign>(&one);
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      std::optional<double> value = built_one == nullptr ? std::nullopt : wanted[i].value(built_one->view());
-      if (value && !std::isfinite(*value)) value.reset();
-      out[i].push_back(value);
-    }
+    const Build build = build_of(spread, design, asked, uses, shares);
+    for (std::size_t i = 0; i < asked.size(); ++i) out[i].push_back(build.values[i]);
   }
   return out;
 }
@@ -186,6 +200,11 @@ std::optional<double> deviation_of(const std::vector<std::optional<double>>& val
   return std::sqrt(sum / static_cast<double>(values.size() - 1));
 }
 
+// At which end of all values a percentile looks for what is bad.
+bool counts_low_values(const Statistic& statistic) {
+  return statistic.percent < 50;
+}
+
 std::optional<double> value_of(const Statistic& statistic, const std::vector<std::optional<double>>& values) {
   switch (statistic.kind) {
     case Statistic::Kind::mean:
@@ -198,7 +217,7 @@ std::optional<double> value_of(const Statistic& statistic, const std::vector<std
   return percentile(values, statistic.percent);
 }
 
-std::string meaning_of(const Statistic& statistic, std::size_t draws) {
+std::string meaning_of(const Statistic& statistic, std::size_t draws, bool in_every_use) {
   switch (statistic.kind) {
     case Statistic::Kind::mean:
       return fmt::format("mean over {} builds of the spread", draws);
@@ -207,6 +226,10 @@ std::string meaning_of(const Statistic& statistic, std::size_t draws) {
     case Statistic::Kind::percentile:
       break;
   }
+  if (in_every_use && !counts_low_values(statistic))
+    return fmt::format("what {} % of {} builds of the spread stay below in every use", statistic.percent, draws);
+  if (in_every_use)
+    return fmt::format("what {} % of {} builds of the spread reach in every use", 100 - statistic.percent, draws);
   return fmt::format("what {} % of {} builds of the spread stay below", statistic.percent, draws);
 }
 
@@ -222,6 +245,21 @@ std::vector<std::string> further_number_names() {
 std::size_t most_parts(std::string_view name) {
   const PartNumber* number = find_part_number(name);
   return number == nullptr ? 0 : number->most;
+}
+
+bool is_of_use(std::string_view name) {
+  return std::ranges::count(numbers_of_use, name) > 0;
+}
+
+bool has_uses(const Spread& spread) {
+  return std::ranges::any_of(spread.scatters, &Scatter::of_use);
+}
+
+double share_of_uses(const Spread& spread) {
+  const bool endless = std::ranges::any_of(spread.scatters, [](const Scatter& each) {
+    return each.of_use && std::holds_alternative<NormalDeviation>(each.about);
+  });
+  return endless ? spread.share_of_uses : 1.0;
 }
 
 Eigen::MatrixXd correlation_root(const Eigen::MatrixXd& correlation) {
@@ -323,8 +361,23 @@ std::optional<StatisticName> statistic_named(std::string_view name) {
   int percent = 0;
   const auto [end, error] = std::from_chars(name.data() + 1, name.data() + 3, percent);
   if (error != std::errc() || end != name.data() + 3 || percent < 1) return std::nullopt;
+  name.remove_prefix(4);
+  const bool of_worst_use = name.starts_with(worst_prefix);
+  if (of_worst_use) name.remove_prefix(worst_prefix.size());
   return StatisticName{.statistic = {.kind = Statistic::Kind::percentile, .percent = percent},
-                       .quantity = std::string(name.substr(4))};
+                       .of_worst_use = of_worst_use,
+                       .quantity = std::string(name)};
+}
+
+std::optional<simulation::ResultQuantity> quantity_of(const StatisticName& name,
+                                                      const simulation::QuantityTable& known) {
+  const simulation::ResultQuantity* of = known.find(name.quantity);
+  // One name for one thing.
+  if (of == nullptr || (name.of_worst_use && of->in_every_use)) return std::nullopt;
+  simulation::ResultQuantity out = *of;
+  out.in_every_use = name.statistic.kind == Statistic::Kind::percentile && (of->in_every_use || name.of_worst_use);
+  if (name.of_worst_use) out.name.insert(0, worst_prefix);
+  return out;
 }
 
 std::optional<double> percentile(const std::vector<std::optional<double>>& values, double percent) {
@@ -343,28 +396,35 @@ std::optional<double> percentile(const std::vector<std::optional<double>>& value
 
 SpreadQuantities::SpreadQuantities(Spread spread)
     : spread_(std::make_shared<const Spread>(std::move(spread))),
-      wanted_(std::make_shared<std::vector<simulation::ResultQuantity>>()),
-      values_([spread = spread_, wanted = wanted_](const simulation::DesignView& design) {
-        return values_of_builds(*spread, *wanted, design);
+      asked_(std::make_shared<std::vector<AskedOfBuild>>()),
+      values_([spread = spread_, asked = asked_](const simulation::DesignView& design) {
+        return values_of_builds(*spread, *asked, design);
       }) {}
 
 std::optional<simulation::ResultQuantity> SpreadQuantities::find(std::string_view name,
                                                                  const simulation::QuantityTable& known) {
   const std::optional<StatisticName> parts = statistic_named(name);
-  const simulation::ResultQuantity* of = parts ? known.find(parts->quantity) : nullptr;
-  if (of == nullptr) return std::nullopt;
-  auto place = std::ranges::find(*wanted_, of->name, &simulation::ResultQuantity::name);
-  const auto index = static_cast<std::size_t>(place - wanted_->begin());
-  if (place == wanted_->end()) wanted_->push_back(*of);
-  simulation::ResultQuantity out = *of;
+  std::optional<simulation::ResultQuantity> of = parts ? quantity_of(*parts, known) : std::nullopt;
+  if (!of) return std::nullopt;
+  const AskedOfBuild asked{.quantity = *of, .high_is_worse = !counts_low_values(parts->statistic)};
+  const auto is_same = [&asked](const AskedOfBuild& other) {
+    return other.quantity.name == asked.quantity.name && other.in_every_use() == asked.in_every_use() &&
+           other.high_is_worse == asked.high_is_worse;
+  };
+  const auto place = std::ranges::find_if(*asked_, is_same);
+  const auto index = static_cast<std::size_t>(place - asked_->begin());
+  if (place == asked_->end()) asked_->push_back(asked);
+  simulation::ResultQuantity out = *std::move(of);
   out.name = std::string(name);
-  out.meaning = fmt::format("{}: {}", meaning_of(parts->statistic, spread_->draws), of->meaning);
+  out.meaning = fmt::format(
+      "{}: {}", meaning_of(parts->statistic, spread_->draws, out.in_every_use && has_uses(*spread_)), out.meaning);
   out.value = [values = values_, index, statistic = parts->statistic](const simulation::DesignView& design) {
     return value_of(statistic, (*values.of(design))[index]);
   };
   out.value_of_lumped = {};
   out.absence = "it has none in too many builds of the spread";
   out.why_absent = {};
+  out.in_every_use = false;  // that it is, the statistic itself says
   return out;
 }
 

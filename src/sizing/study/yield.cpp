@@ -12,54 +12,41 @@
 #include <variant>
 
 #include "sizing/problem/workers.hpp"
-#include "sizing/study/evaluate_design.hpp"
+#include "sizing/study/builds.hpp"
 
 namespace coilwright::sizing {
 namespace {
 
 using Shares = std::vector<std::vector<double>>;
-using simulation::ResultQuantity;
 
 constexpr double outside = 0.025;  // of a 95 % interval, each side
 
-// A quantity on one build, with its limit where it has one.
-struct Asked {
-  const ResultQuantity* quantity{};
+// A quantity of each build, with its limit where it has one.
+struct Asked : AskedOfBuild {
   const Limit* limit{};
 };
 
 std::vector<Asked> asked_of(const Study& study) {
   std::vector<Asked> out;
-  for (const StudyObjective& objective : study.objectives) out.push_back({.quantity = &of_one_build(objective)});
+  for (const StudyObjective& objective : study.objectives)
+    out.push_back({{.quantity = of_one_build(objective), .high_is_worse = objective.sense == Sense::minimise}});
   for (const Limit& limit : study.limits) {
     // What holds for a mean or a deviation says nothing of one build.
     const std::optional<StatisticName> parts = statistic_named(limit.quantity.name);
     const bool of_each = !limit.of_build || !parts || parts->statistic.kind == Statistic::Kind::percentile;
-    out.push_back({.quantity = &of_one_build(limit), .limit = of_each ? &limit : nullptr});
+    out.push_back({{.quantity = of_one_build(limit), .high_is_worse = limit.side == Limit::Side::at_most},
+                   of_each ? &limit : nullptr});
   }
   // What no limit on another load or a temperature knows of.
   if (study.driver && std::ranges::none_of(out, [&](const Asked& each) {
-        return each.quantity->name == study.driver->thermal_load.name;
+        return each.quantity.name == study.driver->thermal_load.name;
       }))
-    out.push_back({.quantity = &study.driver->thermal_load});
+    out.push_back({{.quantity = study.driver->thermal_load}});
   return out;
 }
 
 // Values of the builds, by quantity.
 using Values = std::vector<std::vector<std::optional<double>>>;
-
-// Without what it got and with .. for numbers, in which builds that fail alike differ.
-std::string cause_in(const std::string& reason) {
-  std::string out = reason.substr(0, reason.find(';'));
-  std::size_t word = 0;
-  do {
-    const char first = out[out[word] == '-' ? word + 1 : word];
-    if (first >= '0' && first <= '9')
-      out.replace(word, std::min(out.find_first_of(" ,:", word), out.size()) - word, "..");
-    word = out.find(' ', word) + 1;
-  } while (word != 0);
-  return out;
-}
 
 std::vector<FailureCause> causes_of(std::span<const Build> builds) {
   constexpr std::size_t told = 4;
@@ -117,7 +104,13 @@ std::size_t count_keeping_all(const std::vector<Asked>& asked, const Values& val
 class Builder {
  public:
   Builder(const Study& study, const EvaluatedDesign& design, const YieldOptions& options, std::size_t of)
-      : asked_(asked_of(study)), design_{design}, options_{options}, of_{of}, workers_(options.threads) {}
+      : asked_(asked_of(study)),
+        of_builds_(asked_.begin(), asked_.end()),
+        uses_(worst_uses(*study.spread, design.view(), of_builds_)),
+        design_{design},
+        options_{options},
+        of_{of},
+        workers_(options.threads) {}
 
   [[nodiscard]] const std::vector<Asked>& asked() const noexcept { return asked_; }
 
@@ -126,7 +119,7 @@ class Builder {
     std::vector<Build> out(shares.size());
     workers_.run(shares.size(), [&](std::size_t build) {
       if (options_.stop.stop_requested()) return;
-      out[build] = one(spread, shares[build]);
+      out[build] = build_of(spread, design_.view(), of_builds_, uses_, shares[build]);
       if (options_.progress) options_.progress(++done_, of_);
     });
     std::erase_if(out, [](const Build& build) { return build.values.empty(); });
@@ -134,26 +127,9 @@ class Builder {
   }
 
  private:
-  [[nodiscard]] Build one(const Spread& spread, const std::vector<double>& shares) const {
-    Build out{.values = std::vector<std::optional<double>>(asked_.size())};
-    const DesignResult result = built(spread, design_.view(), shares);
-    if (const auto* none = std::get_if<NotEvaluated>(&result)) {
-      out.has_performance = false;
-      out.failure = cause_in(none->reason);
-      return out;
-    }
-    const simulation::DesignView view = std::get<EvaluatedDesign>(result).view();
-    for (std::size_t i = 0; i < asked_.size(); ++i) {
-      const std::optional<double> value = asked_[i].quantity->value(view);
-      if (value && std::isfinite(*value))
-        out.values[i] = value;
-      else if (out.failure.empty())
-        out.failure = cause_in(without_value(*asked_[i].quantity, view).reason);
-    }
-    return out;
-  }
-
   std::vector<Asked> asked_;
+  std::vector<AskedOfBuild> of_builds_;  // the same
+  std::vector<Use> uses_;
   const EvaluatedDesign& design_;
   const YieldOptions& options_;
   std::size_t of_;
@@ -168,15 +144,16 @@ Values values_of(std::span<const Build> builds) {
   return out;
 }
 
-BuiltQuantity built_quantity(const Asked& asked, const std::vector<std::optional<double>>& values,
+BuiltQuantity built_quantity(const Asked& asked, const std::vector<std::optional<double>>& values, const Spread& spread,
                              const EvaluatedDesign& design) {
-  BuiltQuantity out{.name = asked.quantity->name,
-                    .nominal = asked.quantity->value(design.view()),
+  BuiltQuantity out{.name = asked.quantity.name,
+                    .nominal = asked.quantity.value(design.view()),
                     .p05 = percentile(values, 5.0),
                     .p50 = percentile(values, 50.0),
                     .p95 = percentile(values, 95.0)};
+  if (asked.in_every_use() && has_uses(spread)) out.of_uses = share_of_uses(spread);
   if (asked.limit == nullptr) return out;
-  out.limit = name_of(Limit{.quantity = *asked.quantity, .side = asked.limit->side, .value = asked.limit->value});
+  out.limit = name_of(Limit{.quantity = asked.quantity, .side = asked.limit->side, .value = asked.limit->value});
   const auto met = std::ranges::count_if(values, [&](const auto& value) { return keeps(asked, value); });
   out.keeps = share_of(static_cast<std::size_t>(met), values.size());
   out.asked = asked_share(*asked.limit);
@@ -320,14 +297,15 @@ std::vector<ScatterWorth> worths_from(std::vector<Values> blocks, const std::vec
 }
 
 // From the first block.
-Yield yield_without_worths(const std::vector<Asked>& asked, const EvaluatedDesign& design,
+Yield yield_without_worths(const std::vector<Asked>& asked, const Spread& spread, const EvaluatedDesign& design,
                            std::span<const Build> builds) {
   const Values values = values_of(builds);
   Yield out{.builds = builds.size(),
             .not_built = static_cast<std::size_t>(std::ranges::count(builds, false, &Build::has_performance)),
             .failures = causes_of(builds),
             .keeps_all = share_of(count_keeping_all(asked, values), builds.size())};
-  for (std::size_t i = 0; i < asked.size(); ++i) out.quantities.push_back(built_quantity(asked[i], values[i], design));
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    out.quantities.push_back(built_quantity(asked[i], values[i], spread, design));
   return out;
 }
 
@@ -353,7 +331,7 @@ std::optional<Yield> yield_of(const Study& study, const EvaluatedDesign& design,
     if (options.stop.stop_requested()) break;
   }
   if (builds.empty()) return std::nullopt;
-  Yield out = yield_without_worths(builder.asked(), design, builds);
+  Yield out = yield_without_worths(builder.asked(), *study.spread, design, builds);
   if (options.worth_builds == 0) return out;
   out.worths = worths_from(std::move(others), builder.asked(), inputs, options);
   out.worths_left = inputs.size() - out.worths.size();
@@ -366,10 +344,11 @@ std::size_t builds_of(const Study& study, const YieldOptions& options) {
 
 std::optional<std::vector<Build>> builds_in(const Study& study, const EvaluatedDesign& design,
                                             const YieldOptions& options, const IndexRange& range) {
+  const std::vector<Block> blocks = blocks_of(spread_of(study), inputs_of(*study.spread), options);
   Builder builder(study, design, options, range.end - range.first);
   std::vector<Build> out;
   std::size_t begin = 0;
-  for (const Block& block : blocks_of(spread_of(study), inputs_of(*study.spread), options)) {
+  for (const Block& block : blocks) {
     const std::span<const std::vector<double>> shares = *block.shares;
     const std::size_t first = std::clamp(range.first, begin, begin + shares.size()) - begin;
     const std::size_t end = std::clamp(range.end, begin, begin + shares.size()) - begin;
@@ -383,7 +362,7 @@ Yield yield_from(const Study& study, const EvaluatedDesign& design, const YieldO
                  std::span<const Build> builds) {
   if (builds.size() != builds_of(study, options)) throw std::invalid_argument("builds: must be all of the yield");
   const std::vector<Asked> asked = asked_of(study);
-  Yield out = yield_without_worths(asked, design, builds.first(options.builds));
+  Yield out = yield_without_worths(asked, *study.spread, design, builds.first(options.builds));
   if (options.worth_builds == 0) return out;
   std::vector<Values> others;
   for (std::size_t begin = options.builds; begin < builds.size(); begin += options.worth_builds)

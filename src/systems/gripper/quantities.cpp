@@ -119,7 +119,8 @@ class Results {
                               return found->has_value() ? value(**found, design) : std::nullopt;
                             },
                         .absence = std::move(absence),
-                        .pose = HeldCases::gripping});
+                        .pose = HeldCases::gripping,
+                        .in_every_use = true});
   }
 
   ResultQuantity placement_tolerance_quantity() const {

@@ -69,6 +69,8 @@ struct Scatter {
   std::optional<double> measured{};
   /// Of a number with most_parts(): which joint or magnet, from the base. A design without it passes it over.
   std::size_t part = 0;
+  /// Whether it differs from use to use of one build, as the room's temperature does; else a build has it for good.
+  bool of_use{};
 
   /// The deviation below which a share of all lies, 0 < share < 1; relative, or in the unit of the name. Precondition:
   /// not OtherChoices.
@@ -85,11 +87,13 @@ struct CorrelatedScatters {
 /// A root of a correlation matrix, which may be singular. Throws std::invalid_argument for a matrix that is none.
 [[nodiscard]] Eigen::MatrixXd correlation_root(const Eigen::MatrixXd& correlation);
 
-/// What builds, objects and supplies differ by. Immutable.
+/// What builds, and the uses of each, differ by. Immutable.
 struct Spread {
   std::vector<Scatter> scatters;
   std::vector<CorrelatedScatters> correlated{};  ///< all others are independent
   std::size_t draws = 32;                        ///< of which statistics of one design are made; >= 8
+  /// What holds in every use holds in that share of the uses where a law of theirs has no ends; > 0.5 and <= 1.
+  double share_of_uses = 0.99;
   /// Where the current follows from the built design; empty: it is that of the operating point.
   DrivenCurrent driven{};
   std::optional<StudyDriver> driver{};  ///< that has to give the current of a build too; nothing: anything does

@@ -32,6 +32,9 @@ struct BuiltQuantity {
   std::optional<Share> keeps{};  ///< of the builds that keep that limit; nothing for an objective
   /// What the study asks of that share by a percentile: 0.95 of "p95_mass_g <= 70"; nothing of another limit.
   std::optional<double> asked{};
+  /// Share of its uses in which a build keeps it, if it does: 1 is all. Nothing where each build is looked at in the
+  /// one use that its dice gave.
+  std::optional<double> of_uses{};
 
   /// Whether fewer builds keep the limit than is asked for, beyond the error of the dice.
   [[nodiscard]] bool falls_short() const { return keeps && asked && keeps->high < *asked; }
@@ -72,10 +75,11 @@ struct YieldOptions {
   std::function<void(std::size_t done, std::size_t of)> progress{};  ///< on any thread; may be empty
 };
 
-/// Builds a design of `study` many times: its objectives, its limits and the thermal load with its driver's ripple. Of
-/// a limit or an objective on a statistic ("p95_coil_hot_spot_degC <= 130") each build is held against the limit
-/// itself, of one on a mean or a deviation none is. After a stop it is of the builds made so far, with the worths
-/// whose builds were all made; nothing where none was made. Throws std::invalid_argument for a study without a spread.
+/// Builds a design of `study` many times: its objectives, its limits and the thermal load with its driver's ripple,
+/// what holds in every use in the worst of its uses, all else in one use by dice. Of a limit or an objective on a
+/// statistic ("p95_coil_hot_spot_degC <= 130") each build is held against the limit itself, of one on a mean or a
+/// deviation none is. After a stop it is of the builds made so far, with the worths whose builds were all made; nothing
+/// where none was made. Throws std::invalid_argument for a study without a spread.
 [[nodiscard]] std::optional<Yield> yield_of(const Study& study, const EvaluatedDesign& design,
                                             const YieldOptions& options);
 

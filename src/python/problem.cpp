@@ -63,7 +63,7 @@ sizing::Problem problem_of(const std::vector<VariableRow>& variables,
                            const std::vector<double>& start) {
   sizing::Problem problem;
   problem.constraints = constraints;
-  problem.start = start;
+  if (!start.empty()) problem.starts = {start};
   for (const auto& [name, kind, lower, upper, step] : variables)
     problem.variables.push_back({.name = name, .kind = kind_of(kind), .lower = lower, .upper = upper, .step = step});
   for (const auto& [name, maximise] : objectives)

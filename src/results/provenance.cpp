@@ -21,19 +21,23 @@ constexpr std::size_t largest_input = 512'000'000;  // bytes, as of a record
 text::Json json_of(const Provenance& provenance) {
   using text::Json;
   const Commit built = commit();
-  Json inputs = Json::list(provenance.inputs, [](const InputRecord& input) {
-    return Json::object({{"file", input.file}, {"sha256", input.sha256}});
-  });
-  return Json::object({{"format", "provenance/1"},
-                       {"program", "coilwright"},
-                       {"version", version()},
-                       {"commit", text::text_or_null(built.hash)},
-                       {"changed_since_commit", built.hash.empty() ? Json(nullptr) : Json(built.changed)},
-                       {"command", provenance.command},
-                       {"inputs", std::move(inputs)},
-                       {"set", Json::list(provenance.changes)},
-                       {"question_sha256", hash_of(provenance)},
-                       {"seed", provenance.seed}});
+  const auto digests_of = [](const std::vector<InputRecord>& files) {
+    return Json::list(files, [](const InputRecord& file) {
+      return Json::object({{"file", file.file}, {"sha256", file.sha256}});
+    });
+  };
+  Json out = Json::object({{"format", "provenance/1"},
+                           {"program", "coilwright"},
+                           {"version", version()},
+                           {"commit", text::text_or_null(built.hash)},
+                           {"changed_since_commit", built.hash.empty() ? Json(nullptr) : Json(built.changed)},
+                           {"command", provenance.command},
+                           {"inputs", digests_of(provenance.inputs)},
+                           {"set", Json::list(provenance.changes)},
+                           {"question_sha256", hash_of(provenance)},
+                           {"seed", provenance.seed}});
+  if (!provenance.starts.empty()) out.set("starts", digests_of(provenance.starts));
+  return out;
 }
 
 // The text of an object behind its last member.

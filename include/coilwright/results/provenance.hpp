@@ -31,6 +31,7 @@ struct InputRecord {
 struct Provenance {
   std::string command{};                ///< "size"
   std::vector<InputRecord> inputs{};    ///< in the order in which the command names them
+  std::vector<InputRecord> starts{};    ///< the designs of other runs that a search starts from, by their archives
   std::vector<std::string> changes{};   ///< each --set, "gap_mm=1.2"
   std::optional<std::uint64_t> seed{};  ///< nothing where nothing is drawn
   std::string sample{};                 ///< of a sweep, "random of 1000 designs"; empty where it draws none

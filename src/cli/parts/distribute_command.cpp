@@ -76,9 +76,9 @@ constexpr std::array divided_commands{
 constexpr const char* password_file = "password";
 
 // What distribute gives each part itself, or would need a folder that is not copied.
-constexpr std::array<std::string_view, 12> not_for_parts{"--part",    "--out",    "--head",  "--set",
-                                                         "--threads", "--quiet",  "--json",  "--force",
-                                                         "--resume",  "--report", "--reuse", "--actuator"};
+constexpr std::array<std::string_view, 13> not_for_parts{"--part",  "--out",   "--head",    "--set",    "--threads",
+                                                         "--quiet", "--json",  "--force",   "--resume", "--report",
+                                                         "--reuse", "--start", "--actuator"};
 
 std::vector<std::string> blank_separated(std::string_view text) {
   std::vector<std::string> words(1);

@@ -39,6 +39,13 @@ std::string archive_of_another_run(const std::vector<std::string>& differences) 
                      fmt::join(differences, "; "));
 }
 
+std::string way_of(const sizing::SearchOptions& search, const results::Provenance& provenance) {
+  std::string way(sizing::name_of(search.algorithm)), digests;
+  if (provenance.starts.empty()) return way;
+  for (const results::InputRecord& each : provenance.starts) digests += each.sha256;
+  return fmt::format("{} from --start of SHA-256 {:.8}", way, results::sha256(digests));
+}
+
 archive::Contents contents_of(const results::Provenance& provenance) {
   archive::Contents contents;
   contents.command = provenance.command;
@@ -57,8 +64,7 @@ archive::Contents contents_of(const sizing::Study& study, const results::Provena
                       .operation = results::sha256(operation_text(study)),
                       .systems = builds_a_system || study.spread ? contents.question : ""};
   if (provenance.seed) {
-    contents.algorithm =
-        provenance.sample.empty() ? std::string(sizing::name_of(study.search.algorithm)) : provenance.sample;
+    contents.algorithm = provenance.sample.empty() ? way_of(study.search, provenance) : provenance.sample;
     contents.seed = provenance.seed;
   }
   contents.columns = archive::columns_of(study);

@@ -15,6 +15,10 @@ inline constexpr const char* archive_name = "archive.sqlite";
 /// This program, as archives name it.
 [[nodiscard]] archive::Program this_program();
 
+/// How a study is searched: the algorithm, and what --start brought, by a digest. So a folder is not gone on with from
+/// other designs.
+[[nodiscard]] std::string way_of(const sizing::SearchOptions& search, const results::Provenance& provenance);
+
 /// What the archive of a run is an archive of, but for a study: command, program, inputs and changes.
 [[nodiscard]] archive::Contents contents_of(const results::Provenance& provenance);
 

@@ -118,7 +118,7 @@ std::optional<formats::PartFile> begin_search_part(const PartOptions& options, r
   const bool is_whole = search.afterwards == sizing::Afterwards::sensitivity;
   formats::PartFile out{.part = *options.part,
                         .whole = whole_of(provenance, study.name,
-                                          fmt::format("{}, {} evaluations{}", sizing::name_of(search.algorithm),
+                                          fmt::format("{}, {} evaluations{}", way_of(search, provenance),
                                                       search.max_evaluations, is_whole ? "" : ", --answer-only")),
                         .machine = this_machine(sizing::DesignProblem(study))};
   require_figures_of_head(options, out.machine);

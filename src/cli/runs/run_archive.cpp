@@ -38,6 +38,7 @@ text::InputError refusal(const fs::path& path, std::string rule) {
 void keep_inputs_of(const StudyInput& input, const fs::path& folder) {
   std::vector<fs::path> inputs;
   for (const results::InputRecord& each : input.provenance.inputs) inputs.emplace_back(each.file);
+  for (const results::InputRecord& each : input.provenance.starts) inputs.emplace_back(each.file);
   keep_inputs(inputs, run_files_in(folder));
 }
 

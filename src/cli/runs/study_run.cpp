@@ -13,6 +13,7 @@
 
 #include "cli/options.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/runs/start_designs.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/document.hpp"
 
@@ -73,6 +74,12 @@ void add_search_options(CLI::App& command, StudyOptions& options) {
                   fmt::format("Search algorithm; overrides the study's (default automatic). One of {}",
                               fmt::join(algorithm_names(), ", ")))
       ->check(CLI::Validator(algorithm_complaint, ""));
+  command
+      .add_option("--start", options.starts,
+                  "Folder of a run of size, pareto or sweep with the same names of variables: the best design in its "
+                  "archive or, with several objectives, each of its front is evaluated right after the study's own "
+                  "actuator, as a part of the search. Only the values of variables are taken; may be repeated")
+      ->allow_extra_args(false);
 }
 
 StudyInput read_study(const StudyOptions& options, const formats::ObjectiveCount& objectives) {
@@ -88,9 +95,11 @@ StudyInput read_study(const StudyOptions& options, const formats::ObjectiveCount
   if (options.algorithm) study.search.algorithm = sizing::algorithm_named(*options.algorithm);
   std::vector<results::InputRecord> inputs{results::record_of(file), results::record_of(actuator)};
   if (posterior) inputs.push_back(results::record_of(*posterior));
-  return {.study = std::move(study),
-          .provenance = {.inputs = std::move(inputs), .changes = options.changes},
-          .builds_a_system = builds_a_system};
+  StudyInput input{.study = std::move(study),
+                   .provenance = {.inputs = std::move(inputs), .changes = options.changes},
+                   .builds_a_system = builds_a_system};
+  add_starts(options.starts, input);
+  return input;
 }
 
 std::optional<sizing::Yield> yield_with_progress(const sizing::Study& study, const sizing::EvaluatedDesign& design,

@@ -28,7 +28,8 @@ struct StudyOptions {
   bool json{false};
   bool resume{false};
   bool force{false};
-  std::vector<std::string> reuse;  ///< folders whose archives may answer designs
+  std::vector<std::string> reuse;   ///< folders whose archives may answer designs
+  std::vector<std::string> starts;  ///< folders whose answers a search starts from
   std::optional<std::uint64_t> seed{};
   std::optional<std::size_t> max_evaluations{};
   std::optional<std::string> algorithm{};
@@ -38,7 +39,7 @@ struct StudyOptions {
 /// STUDY.json, --out, --set, --threads, --quiet and --json.
 void add_study_options(CLI::App& command, StudyOptions& options);
 
-/// --seed, --max-evaluations and --algorithm, which override what the study says.
+/// --seed, --max-evaluations and --algorithm, which override what the study says, and --start.
 void add_search_options(CLI::App& command, StudyOptions& options);
 
 /// A study and the files that it is made of.

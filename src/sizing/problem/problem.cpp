@@ -79,12 +79,11 @@ void validate_problem(const Problem& problem) {
   for (const Objective& objective : problem.objectives) names.push_back(objective.name);
   require_unique(names, "objectives");
   require_unique(problem.constraints, "constraints");
-  if (!problem.start.empty() && problem.start.size() != problem.variables.size()) {
-    reject("start", fmt::format("must have {} values or none", problem.variables.size()),
-           fmt::to_string(problem.start.size()));
-  }
-  for (const double value : problem.start) {
-    if (!std::isfinite(value)) reject("start", "must be finite", fmt::to_string(value));
+  for (const std::vector<double>& start : problem.starts) {
+    if (start.size() != problem.variables.size())
+      reject("start", fmt::format("must have {} values", problem.variables.size()), fmt::to_string(start.size()));
+    for (const double value : start)
+      if (!std::isfinite(value)) reject("start", "must be finite", fmt::to_string(value));
   }
   if (!problem.evaluate) reject("evaluate", "must be callable", "an empty function");
 }

@@ -11,7 +11,7 @@ struct SearchRun {
   StopReason stop_reason{};
 };
 
-/// Evaluates the problem's start, if it has one, and searches with the algorithm that `options` names. Spaces with no
+/// Evaluates the problem's starts, if it has any, and searches with the algorithm that `options` names. Spaces with no
 /// more designs than evaluations allowed are enumerated. Throws std::invalid_argument as `validate_problem` and if
 /// `max_evaluations` is 0, and what the problem throws.
 [[nodiscard]] SearchRun run_search(const Problem& problem, const SearchOptions& options);

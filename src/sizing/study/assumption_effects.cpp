@@ -28,7 +28,7 @@ std::optional<Record> other_best(Problem problem, const Record& best, const Assu
   search_options.max_evaluations = options.evaluations;
   search_options.afterwards = Afterwards::nothing;
   search_options.progress = {};
-  problem.start = best.point;
+  problem.starts = {best.point};
   SearchResult found = search(problem, search_options);
   evaluations += found.search_evaluations;
   if (!found.feasible) return std::nullopt;

@@ -74,14 +74,6 @@ double constraint_of(const Limit& limit, double value) {
   return -margin(limit, value) / scale_of(limit);
 }
 
-// The coordinate of a number in the range of a variable: the number itself or, in a list, the index of the nearest.
-double coordinate_of(double value, const std::variant<Interval, Choice>& range) {
-  const Choice* choice = std::get_if<Choice>(&range);
-  if (choice == nullptr) return value;
-  const auto distance = [value](double each) { return std::abs(each - value); };
-  return static_cast<double>(std::ranges::min_element(choice->values, {}, distance) - choice->values.begin());
-}
-
 // The coordinate of the study's own actuator in one variable. Where the current varies, the search begins with the
 // chassis ampacity of the actuator's wire.
 struct CoordinateOfBase {
@@ -89,17 +81,17 @@ struct CoordinateOfBase {
 
   double operator()(const ParameterVariable& variable) const {
     const double value = variable.parameter->get(base);
-    return coordinate_of(units::from_memory(value, variable.parameter->key), variable.range);
+    return coordinate_near(units::from_memory(value, variable.parameter->key), variable.range);
   }
   double operator()(const CurrentVariable& variable) const {
-    return coordinate_of(wire_of(base.coil).chassis_ampacity, variable.range);
+    return coordinate_near(wire_of(base.coil).chassis_ampacity, variable.range);
   }
   // The first of the list where the actuator's row of components is none of it.
   double operator()(const LayoutVariable& variable) const {
     const auto same = std::ranges::find(variable.values, base.layout, &NamedLayout::layout);
     return same == variable.values.end() ? 0.0 : static_cast<double>(same - variable.values.begin());
   }
-  double operator()(const SettingVariable& variable) const { return coordinate_of(variable.base, variable.range); }
+  double operator()(const SettingVariable& variable) const { return coordinate_near(variable.base, variable.range); }
 };
 
 }  // namespace
@@ -217,8 +209,10 @@ Problem DesignProblem::problem() const {
                                            varied_current(design_problem.study(), point).value_or(0.0)));
     };
   }
+  std::vector<double>& base = problem.starts.emplace_back();
   for (const StudyVariable& variable : study().variables)
-    problem.start.push_back(std::visit(CoordinateOfBase{study().base}, variable));
+    base.push_back(std::visit(CoordinateOfBase{study().base}, variable));
+  problem.starts.insert(problem.starts.end(), study().starts.begin(), study().starts.end());
   return problem;
 }
 

@@ -151,6 +151,25 @@ std::optional<double> coordinate_of(const StudyVariable& variable, const Variabl
   return std::nullopt;
 }
 
+double coordinate_near(double value, const std::variant<Interval, Choice>& range) {
+  const Choice* choice = std::get_if<Choice>(&range);
+  if (choice == nullptr) return value;
+  const auto distance = [value](double each) { return std::abs(each - value); };
+  return static_cast<double>(std::ranges::min_element(choice->values, {}, distance) - choice->values.begin());
+}
+
+std::optional<double> nearest_coordinate(const StudyVariable& variable, const VariableValue& value) {
+  if (const std::optional<double> exact = coordinate_of(variable, value)) return exact;
+  const Variable searched = search_variable(variable);
+  const auto* number = std::get_if<double>(&value);
+  if (number == nullptr || searched.kind == VariableKind::categorical) return std::nullopt;
+  const auto near = [number](const auto& each) {
+    if constexpr (requires { each.range; }) return coordinate_near(*number, each.range);
+    return *number;  // a layout, which is categorical
+  };
+  return nearest_legal(searched, std::visit(near, variable));
+}
+
 double number_at(const ParameterVariable& variable, double coordinate) {
   return number_at(variable.range, coordinate);
 }

@@ -152,7 +152,7 @@ TEST_F(StudyFile, MayVaryTheRowOfPartsAndItsPolarity) {
   EXPECT_EQ(DesignProblem(rows).design_at(std::vector{2.0}).layout[1].polarity, -1);
   const Study senses = study(R"("polarity": {"values": [[1, 1, 1], [1, -1, 1]]})");
   EXPECT_EQ(name_of(senses.variables[0]), "polarity");
-  EXPECT_EQ(DesignProblem(senses).problem().start, std::vector{0.0});  // the actuator's own
+  EXPECT_EQ(DesignProblem(senses).problem().starts.at(0), std::vector{0.0});  // the actuator's own
   EXPECT_EQ(DesignProblem(senses).design_at(std::vector{1.0}).layout[1].polarity, -1);
 
   const auto message = [&](const std::string& variables) {
@@ -200,7 +200,7 @@ TEST_F(StudyFile, MayVaryAWireByItsDiameterAndASiliconeByItsName) {
   EXPECT_EQ(design.body.name(), "Dragon Skin 20");
   // The actuator's gauge, as a diameter, where the search begins.
   const DesignProblem range(study(R"("wire_diameter_mm": {"lower": 0.1, "upper": 0.5})"));
-  EXPECT_NEAR(range.problem().start[0], 1e3 * wire_of(range.study().base.coil).bare_diameter, 1e-12);
+  EXPECT_NEAR(range.problem().starts.at(0)[0], 1e3 * wire_of(range.study().base.coil).bare_diameter, 1e-12);
   EXPECT_NE(text::testing::error_of([&] {
               (void)study(R"("wire_diameter_mm": {"values": [0.2]}, "wire_gauge_AWG": {"values": [26, 28]})");
             }).find("/variables/wire_gauge_AWG: must not be there beside \"wire_diameter_mm\": both give the wire"),

@@ -66,7 +66,7 @@ TEST_F(SystemBlocks, LetTheirNumbersVary) {
     "variables": {"gripper_centre_below_palm_mm": {"values": [10, 18]}, "gripper_mass_g": {"lower": 20, "upper": 50}},
     "objectives": [{"minimise": "grip_load_N"}])");
   const DesignProblem problem(study);
-  EXPECT_EQ(problem.problem().start, (std::vector{1.0, 40.0}));  // 16 mm is nearer to 18 than to 10
+  EXPECT_EQ(problem.problem().starts.at(0), (std::vector{1.0, 40.0}));  // 16 mm is nearer to 18 than to 10
   EXPECT_EQ(problem.settings_at(std::vector{0.0, 25.0}),
             (simulation::Settings{{"gripper_centre_below_palm_mm", 0.01}, {"gripper_mass_g", 0.025}}));
   const Evaluation light = problem.problem().evaluate(std::vector{1.0, 25.0});

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <stop_token>
 
+#include "coilwright/sizing/search/pareto.hpp"
 #include "sizing/best_problems.hpp"
 #include "sizing/expect_error.hpp"
 #include "sizing/front_problems.hpp"
@@ -39,7 +40,7 @@ TEST(Search, FindsThePublishedBestOfEngineeringProblems) {
 // Off the grid and beyond the bounds: the nearest legal design is the first, whatever searches.
 TEST(Search, EvaluatesTheStartOfAProblemFirst) {
   Problem problem = one_objective(testing::winding_grid(testing::GridObjectives::two));
-  problem.start = {2.2, 99, 7.6, 10, 2.9, 1.1};
+  problem.starts = {{2.2, 99, 7.6, 10, 2.9, 1.1}};
   for (const Algorithm algorithm : {Algorithm::automatic, Algorithm::cobyla, Algorithm::isres}) {
     const SearchResult result =
         search(problem, {.algorithm = algorithm, .max_evaluations = 40, .seed = 3, .afterwards = Afterwards::nothing});
@@ -49,8 +50,66 @@ TEST(Search, EvaluatesTheStartOfAProblemFirst) {
     ASSERT_NE(first, records.end());
     EXPECT_EQ(first->point, (std::vector<double>{2, 37, 8, 10, 3, 1})) << name_of(algorithm);
   }
-  problem.start.pop_back();
-  expect_error<std::invalid_argument>([&] { (void)search(problem, {}); }, "start: must have 6 values or none; got 5");
+  problem.starts.front().pop_back();
+  expect_error<std::invalid_argument>([&] { (void)search(problem, {}); }, "start: must have 6 values; got 5");
+}
+
+// A unit square whose one good design, 1e-7 wide, no search finds.
+Problem needle(std::size_t objectives) {
+  Problem problem;
+  problem.variables = {{.name = "x", .lower = 0, .upper = 1}, {.name = "y", .lower = 0, .upper = 1}};
+  problem.objectives = {{.name = "f"}, {.name = "g"}};
+  problem.objectives.resize(objectives);
+  problem.evaluate = [objectives](std::span<const double> x) {
+    const bool hit = std::abs(x[0] - 0.62) < 1e-7 && std::abs(x[1] - 0.17) < 1e-7;
+    Evaluation out{.objectives = hit ? std::vector{-1.0, -1.0} : std::vector{x[0], x[1]}};
+    out.objectives.resize(objectives);
+    return out;
+  };
+  return problem;
+}
+
+TEST(Search, AnswersWithAStartThatNothingBeats) {
+  Problem problem = needle(1);
+  for (const Algorithm algorithm : algorithms()) {
+    const SearchOptions options{
+        .algorithm = algorithm, .max_evaluations = 60, .seed = 3, .afterwards = Afterwards::nothing};
+    problem.starts.clear();
+    EXPECT_GE(search(problem, options).best->evaluation.objectives[0], 0.0) << name_of(algorithm);
+    problem.starts = {{0.5, 0.5}, {0.62, 0.17}};
+    const SearchResult result = search(problem, options);
+    EXPECT_EQ(result.best->evaluation.objectives[0], -1.0) << name_of(algorithm);
+    EXPECT_LE(result.search_evaluations, 60U) << name_of(algorithm);
+  }
+}
+
+TEST(Pareto, HasAStartThatNothingBeatsInItsFront) {
+  Problem problem = needle(2);
+  EXPECT_GT(pareto(problem, {.max_evaluations = 60, .seed = 3}).front.front().evaluation.objectives[0], -1.0);
+  problem.starts = {{0.5, 0.5}, {0.62, 0.17}};
+  const ParetoResult result = pareto(problem, {.max_evaluations = 60, .seed = 3});
+  ASSERT_EQ(result.front.size(), 1U);
+  EXPECT_EQ(result.front[0].point, problem.starts[1]);
+  EXPECT_EQ(result.front[0].proposed_by, "start");
+}
+
+TEST(Search, EvaluatesStartsInTheirOrderEachOnceAndWithinTheBudget) {
+  Problem problem = needle(1);
+  problem.starts = {{0.9, 2.0}, {0.1, 0.2}, {0.9, 1.0}, {0.3, 0.4}};
+  for (const std::size_t budget : {1U, 2U, 30U}) {
+    const SearchResult result =
+        search(problem, {.max_evaluations = budget, .seed = 3, .afterwards = Afterwards::nothing});
+    std::vector<Record> records = result.archive.records();
+    EXPECT_EQ(records.size(), budget);
+    std::ranges::sort(records, {}, &Record::number);
+    const std::vector<std::vector<double>> expected{{0.9, 1.0}, {0.1, 0.2}, {0.3, 0.4}};
+    for (std::size_t i = 0; i < records.size(); ++i) {
+      EXPECT_EQ(records[i].proposed_by == "start", i < 3) << i;
+      if (i < 3) {
+        EXPECT_EQ(records[i].point, expected[i]);
+      }
+    }
+  }
 }
 
 TEST(Search, NumbersEveryEvaluationOnce) {

@@ -59,13 +59,36 @@ TEST(DesignProblem, StartsFromTheStudysOwnActuator) {
   actuator::find_parameter("gap_mm")->set(study.base, 0.00097);
   actuator::find_parameter("turns_radial")->set(study.base, 20);
   const Problem problem = DesignProblem(study).problem();
-  ASSERT_EQ(problem.start.size(), 4u);
-  EXPECT_EQ(problem.start[0], 1.0);
-  EXPECT_NEAR(problem.start[1], 0.97, 1e-15);
-  EXPECT_EQ(problem.start[2], 20.0);  // the search clamps it
-  EXPECT_EQ(problem.start[3], 1.0);   // 28 and 30 are as near: the first
+  ASSERT_EQ(problem.starts.size(), 1u);
+  ASSERT_EQ(problem.starts[0].size(), 4u);
+  EXPECT_EQ(problem.starts[0][0], 1.0);
+  EXPECT_NEAR(problem.starts[0][1], 0.97, 1e-15);
+  EXPECT_EQ(problem.starts[0][2], 20.0);  // the search clamps it
+  EXPECT_EQ(problem.starts[0][3], 1.0);   // 28 and 30 are as near: the first
   study.base.layout = actuator::layout_of(actuator::Configuration::D);
-  EXPECT_EQ(DesignProblem(study).problem().start[0], 0.0);  // not in the list: its first
+  EXPECT_EQ(DesignProblem(study).problem().starts[0][0], 0.0);  // not in the list: its first
+}
+
+TEST(DesignProblem, StartsFromTheStudysStartsNext) {
+  Study study = small_study();
+  study.starts = {{0.0, 0.9, 13.0, 1.0}, {1.0, 1.1, 14.0, 2.0}};
+  const Problem problem = DesignProblem(study).problem();
+  ASSERT_EQ(problem.starts.size(), 3u);
+  EXPECT_EQ(problem.starts[1], study.starts[0]);
+  EXPECT_EQ(problem.starts[2], study.starts[1]);
+}
+
+TEST(DesignProblem, KnowsTheNearestCoordinateOfAValue) {
+  const Study study = small_study();
+  EXPECT_EQ(nearest_coordinate(study.variables[0], "A"), 1.0);
+  EXPECT_EQ(nearest_coordinate(study.variables[0], "D"), std::nullopt);
+  EXPECT_EQ(nearest_coordinate(study.variables[0], 1.0), std::nullopt);  // a word is wanted
+  EXPECT_NEAR(nearest_coordinate(study.variables[1], 0.93).value(), 0.9, 1e-12);
+  EXPECT_NEAR(nearest_coordinate(study.variables[1], 5.0).value(), 1.1, 1e-12);  // the last of its grid
+  EXPECT_EQ(nearest_coordinate(study.variables[1], "A"), std::nullopt);
+  EXPECT_EQ(nearest_coordinate(study.variables[2], 2.0), 13.0);
+  EXPECT_EQ(nearest_coordinate(study.variables[3], 30.0), 2.0);  // the index in its list
+  EXPECT_EQ(nearest_coordinate(study.variables[3], 99.0), 2.0);
 }
 
 TEST(DesignProblem, KeepsEveryQuantityOfADesign) {
@@ -259,7 +282,7 @@ TEST(DesignProblem, GivesTheSettingsOfAPointToItsQuantities) {
                        .sense = Sense::maximise}};
   const DesignProblem problem(study);
   EXPECT_EQ(problem.problem().evaluate(std::vector{65.0}).objectives, (std::vector{0.065}));
-  EXPECT_EQ(problem.problem().start, (std::vector{71.0}));
+  EXPECT_EQ(problem.problem().starts, (std::vector<std::vector<double>>{{71.0}}));
   EXPECT_EQ(problem.assess(problem.evaluate_base()).objectives, (std::vector{0.071}));
 }
 

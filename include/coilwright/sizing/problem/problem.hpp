@@ -61,9 +61,9 @@ struct Problem {
   /// and cheap to do once more, as an interpreter. Called on one thread, with the designs that a search evaluates next;
   /// those of an NLopt algorithm come one by one through `evaluate`. Empty: `evaluate` does all.
   std::function<std::vector<Evaluation>(std::span<const std::vector<double>>)> evaluate_together{};
-  /// The design that a search evaluates first, a value for each variable: its nearest legal point, clamped to the
-  /// bounds and on the grid. Empty: none.
-  std::vector<double> start{};
+  /// Designs that a search evaluates first, in this order, a value for each variable: of each its nearest legal point,
+  /// clamped to the bounds and on the grid. Of more than the budget it takes the first. Empty: none.
+  std::vector<std::vector<double>> starts{};
   /// Whether a design breaks a constraint by what is known of it before it is evaluated. Pure, much cheaper than
   /// `evaluate`, called from several threads at once; never true of a design that `evaluate` finds feasible. A search
   /// then leaves the design out. Empty: nothing is known.

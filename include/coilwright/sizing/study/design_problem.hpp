@@ -38,8 +38,9 @@ class DesignProblem {
 
   [[nodiscard]] const Study& study() const noexcept { return state_->study; }
 
-  /// The problem to pass to search() or pareto(). It holds a copy of this object and so all that it needs. Its start is
-  /// the study's own actuator; where the current varies, with the chassis ampacity of the actuator's own wire.
+  /// The problem to pass to search() or pareto(). It holds a copy of this object and so all that it needs. It starts
+  /// from the study's own actuator; where the current varies, with the chassis ampacity of the actuator's own wire;
+  /// then from the study's starts.
   [[nodiscard]] Problem problem() const;
 
   /// The design at a point: the study's base with the variables set to it.

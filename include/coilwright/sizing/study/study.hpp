@@ -86,6 +86,13 @@ using VariableValue = std::variant<double, std::string_view>;
 /// The coordinate of the search at which a variable has that value, bit by bit; nothing where it has it nowhere.
 [[nodiscard]] std::optional<double> coordinate_of(const StudyVariable& variable, const VariableValue& value);
 
+/// The coordinate of a number in a range: the number itself or, in a list, the index of the nearest.
+[[nodiscard]] double coordinate_near(double value, const std::variant<Interval, Choice>& range);
+
+/// The coordinate of the search at which a variable has that value or, of a number, the nearest that it takes; nothing
+/// for a word that it does not take, and where one of the two is a word and the other a number.
+[[nodiscard]] std::optional<double> nearest_coordinate(const StudyVariable& variable, const VariableValue& value);
+
 /// What Parameter::set takes at a coordinate of the search, but for the unit: a number in that of the variable's name,
 /// or the index of a name.
 [[nodiscard]] double number_at(const ParameterVariable& variable, double coordinate);
@@ -148,6 +155,8 @@ struct Study {
   std::vector<StudyObjective> objectives;
   std::vector<Limit> limits;
   SearchOptions search;
+  /// Designs that a search evaluates right after the study's own actuator: each a coordinate for each variable.
+  std::vector<std::vector<double>> starts{};
   /// What builds differ by, where the study says so; its statistics are among the quantities.
   std::optional<Spread> spread{};
   /// What pulses its current, where the study says so: no design has a performance whose current it cannot give.

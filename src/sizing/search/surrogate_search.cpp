@@ -30,9 +30,17 @@ constexpr std::size_t designs_enumerated_together = 1024;
 // long list then has what a search of that length finds, and not the best of a corner of the grid.
 constexpr std::size_t searched_before_a_list = 1024;
 // The search of an end of a front is over after so many designs for each variable without a gain of this part of what
-// it has gained in all.
+// it has gained in all. Without a grid models come near to an end in a few rounds, or not at all.
 constexpr std::size_t patience_per_variable = 16;
+constexpr std::size_t patience_without_grid = 5;
+constexpr std::size_t least_patience = 32;
+// Of a round of a front without a feasible design those that models propose: no design gains anything before, by which
+// the sources could be weighed.
+constexpr double share_towards_limits = 0.85;
 constexpr double least_gain = 1e-3;
+// Evaluations for each variable from which the search of an end is worth descents on the problem itself, which take a
+// third of them: with fewer the last digits of one design are little of a front.
+constexpr std::size_t worth_descents = 50;
 
 class SurrogateSearch {
  public:
@@ -49,14 +57,23 @@ class SurrogateSearch {
   StopReason run();
 
  private:
+  // Nothing of the front is known yet, so that the limits are the one thing to improve. On a grid the ends do it: what
+  // they find on their way lies further apart.
+  [[nodiscard]] bool looks_for_feasible() const {
+    return samples_.feasible_count() == 0 && has_ends_to_search() && !space_.has_grid();
+  }
   [[nodiscard]] std::size_t round_size() const {
-    return samples_.objective_count() == 1 ? round_of_one_objective : largest_round;
+    return samples_.objective_count() == 1 || looks_for_feasible() ? round_of_one_objective : largest_round;
   }
   [[nodiscard]] std::size_t left() const { return context_.budget - made_; }
   [[nodiscard]] bool is_of_end() const { return patience_.has_value(); }
   [[nodiscard]] bool stopped() const { return context_.options.stop.stop_requested(); }
   [[nodiscard]] bool goes_on() const {
-    return left() > 0 && !stopped() && !exploration_.exhausted() && !(patience_ && made_ - gained_at_ >= *patience_);
+    return left() > 0 && !stopped() && !exploration_.exhausted() &&
+           !((first_ || space_.has_grid()) && patience_ && made_ - gained_at_ >= *patience_);
+  }
+  [[nodiscard]] bool is_worth_descents() const {
+    return !is_of_end() || context_.budget >= worth_descents * space_.dimension();
   }
   [[nodiscard]] bool has_ends_to_search() const;
   [[nodiscard]] std::string_view proposer(ProposalSource source) const;
@@ -156,13 +173,15 @@ std::vector<UnitPoint> SurrogateSearch::neighbours_of_best(const std::vector<Sub
 }
 
 void SurrogateSearch::round() {
-  const double designs = gains_.model_share() * static_cast<double>(round_size());
-  const auto wanted = static_cast<std::size_t>(std::lround(designs));
-  const std::vector<SubproblemTask> tasks = planner_.plan(std::min(wanted, left()), rounds_);
+  const double share = looks_for_feasible() ? share_towards_limits : gains_.model_share();
+  const auto wanted = static_cast<std::size_t>(std::lround(share * static_cast<double>(round_size())));
+  const std::vector<SubproblemTask> tasks = looks_for_feasible() ? planner_.towards_limits(std::min(wanted, left()))
+                                                                 : planner_.plan(std::min(wanted, left()), rounds_);
   const Algorithm algorithm = context_.options.algorithm;
   if (algorithm != Algorithm::automatic) return round_on_problem(tasks, algorithm);
   const bool one_objective = samples_.objective_count() == 1;
-  if (one_objective && rounds_ % rounds_between_descents == 0 && !space_.has_grid()) descend(tasks);
+  if (one_objective && is_worth_descents() && rounds_ % rounds_between_descents == 0 && !space_.has_grid())
+    descend(tasks);
   round_of_models(tasks);
 }
 
@@ -264,6 +283,9 @@ bool SurrogateSearch::has_ends_to_search() const {
 // it where limits couple variables: the front then is a point in a thin set, and its gaps are as small as itself.
 void SurrogateSearch::search_ends() {
   const std::size_t objectives = samples_.objective_count();
+  const std::size_t patience = std::max(
+      least_patience, space_.dimension() * (space_.has_grid() ? patience_per_variable : patience_without_grid));
+  const std::size_t share = (space_.has_grid() ? context_.budget : left()) / (objectives + 1);
   for (std::size_t objective = 0; objective < objectives && goes_on(); ++objective) {
     Samples alone{samples_, objective};
     const std::size_t known = alone.size();
@@ -273,8 +295,8 @@ void SurrogateSearch::search_ends() {
                                 .samples = alone,
                                 .workers = context_.workers,
                                 .options = options,
-                                .budget = std::min(left(), context_.budget / (objectives + 1))};
-    SurrogateSearch{context, patience_per_variable * context_.samples.space().dimension()}.search_rounds();
+                                .budget = std::min(left(), share)};
+    SurrogateSearch{context, patience}.search_rounds();
     for (std::size_t i = known; i < alone.size(); ++i)
       samples_.add({.point = alone[i].point, .evaluation = *context_.archive.find(alone[i].point)});
     made_ = context_.archive.size() - known_before_;
@@ -302,6 +324,7 @@ StopReason SurrogateSearch::run() {
   const bool lists_all = designs > 0 && designs <= context_.budget + samples_.size();
   if (!lists_all || designs > searched_before_a_list) {
     evaluate_initial_designs();
+    while (looks_for_feasible() && !lists_all && goes_on()) round();
     if (has_ends_to_search() && !lists_all) search_ends();
     while (goes_on() && (!lists_all || made_ < searched_before_a_list)) round();
   }

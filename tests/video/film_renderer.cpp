@@ -106,28 +106,41 @@ struct Pose {
   Point middle;
 };
 
-// The place of the scene's plane that a pixel shows.
-Point seen(const Scene& scene, const Pose& pose, double x, double y) {
+// The ray of a place in the picture: at the depth of 1 it is so far from the middle.
+Point ray_of(const Scene& scene, double x, double y) {
   const double dx = (x - 0.5 * (scene.width - 1)) / scene.focal;
   const double dy = (y - 0.5 * (scene.height - 1)) / scene.focal;
   const double drawn = std::hypot(dx, dy);
   const double scale = drawn > 0.0 ? undistorted_radius(scene.distortion, drawn) / drawn : 1.0;
-  const double distance = scene.focal / pose.px_per_mm;
-  // The plane turned about the middle: first about x, then about y; a ray (a, b, 1) meets it.
-  const double ca = std::cos(pose.tilt[0]);
-  const double sa = std::sin(pose.tilt[0]);
-  const double cb = std::cos(pose.tilt[1]);
-  const double sb = std::sin(pose.tilt[1]);
-  const std::array<double, 3> ex{cb, 0.0, -sb};
-  const std::array<double, 3> ey{sa * sb, ca, sa * cb};
-  const std::array<double, 3> n{ca * sb, -sa, ca * cb};
-  const double a = dx * scale;
-  const double b = dy * scale;
-  const double reach = distance * n[2] / (n[0] * a + n[1] * b + n[2]);
-  const std::array<double, 3> p{a * reach, b * reach, reach - distance};
-  return {pose.middle.x + p[0] * ex[0] + p[1] * ex[1] + p[2] * ex[2],
-          pose.middle.y + p[0] * ey[0] + p[1] * ey[1] + p[2] * ey[2]};
+  return {dx * scale, dy * scale};
 }
+
+// The scene's plane as the camera has it: turned about the middle, first about x, then about y.
+struct Plane {
+  Plane(double focal, const Pose& pose) : distance(focal / pose.px_per_mm), middle(pose.middle) {
+    const double ca = std::cos(pose.tilt[0]);
+    const double sa = std::sin(pose.tilt[0]);
+    const double cb = std::cos(pose.tilt[1]);
+    const double sb = std::sin(pose.tilt[1]);
+    ex = {cb, 0.0, -sb};
+    ey = {sa * sb, ca, sa * cb};
+    n = {ca * sb, -sa, ca * cb};
+  }
+
+  // The place of the plane that a ray meets.
+  [[nodiscard]] Point met(const Point& ray) const {
+    const double reach = distance * n[2] / (n[0] * ray.x + n[1] * ray.y + n[2]);
+    const std::array<double, 3> p{ray.x * reach, ray.y * reach, reach - distance};
+    return {middle.x + p[0] * ex[0] + p[1] * ex[1] + p[2] * ex[2],
+            middle.y + p[0] * ey[0] + p[1] * ey[1] + p[2] * ey[2]};
+  }
+
+  double distance;
+  Point middle;
+  std::array<double, 3> ex{};
+  std::array<double, 3> ey{};
+  std::array<double, 3> n{};
+};
 
 struct Sample {
   double x;  // of the pixel, 0 to 1
@@ -154,6 +167,11 @@ std::vector<Sample> samples_of(const Scene& scene, int count) {
   return out;
 }
 
+// Of a number from 0 to 2.
+double fraction(double value) {
+  return value < 1.0 ? value : value - 1.0;
+}
+
 // Mean over the samples of a pixel. In each they are shifted otherwise: alike in all, their error would be one too.
 template <class Light>
 double mean_light(const std::array<float, 6>& seen, const std::vector<Sample>& samples, std::size_t pixel,
@@ -163,8 +181,8 @@ double mean_light(const std::array<float, 6>& seen, const std::vector<Sample>& s
   const double y = static_cast<double>((hash * 0xD1B54A32D192ED03U) >> 40U) / (1 << 24);
   double sum = 0.0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double dx = samples[i].dx + std::fmod(samples[i].x + x, 1.0) - 0.5;
-    const double dy = samples[i].dy + std::fmod(samples[i].y + y, 1.0) - 0.5;
+    const double dx = samples[i].dx + fraction(samples[i].x + x) - 0.5;
+    const double dy = samples[i].dy + fraction(samples[i].y + y) - 0.5;
     sum += light(i, Point{seen[0] + seen[2] * dx + seen[4] * dy, seen[1] + seen[3] * dx + seen[5] * dy});
   }
   return sum / static_cast<double>(samples.size());
@@ -197,20 +215,29 @@ std::array<double, 2> Motion::at(double time) const {
 }
 
 Renderer::Renderer(const Scene& scene, Motion motion) : scene_(scene), motion_(std::move(motion)) {
+  for (int y = 0; y <= scene.height; ++y)
+    for (int x = 0; x <= scene.width; ++x) {
+      const Point ray = ray_of(scene, x, y);
+      rays_.push_back({ray.x, ray.y});
+    }
   if (!scene.board) see(0);
 }
 
 // What does not change from picture to picture.
 void Renderer::see(int number) {
   const std::vector<Sample> samples = samples_of(scene_, sample_count);
-  const Pose pose = pose_of(scene_, number);
+  const Plane plane(scene_.focal, pose_of(scene_, number));
+  const auto place_at = [&](int x, int y) {
+    const std::array<double, 2>& ray = rays_[static_cast<std::size_t>(y) * (scene_.width + 1) + x];
+    return plane.met({ray[0], ray[1]});
+  };
   seen_.clear();
   still_.clear();
   for (int y = 0; y < scene_.height; ++y)
     for (int x = 0; x < scene_.width; ++x) {
-      const Point at = seen(scene_, pose, x, y);
-      const Point right = seen(scene_, pose, x + 1.0, y);
-      const Point below = seen(scene_, pose, x, y + 1.0);
+      const Point at = place_at(x, y);
+      const Point right = place_at(x + 1, y);
+      const Point below = place_at(x, y + 1);
       const std::array<double, 6> all{at.x, at.y, right.x - at.x, right.y - at.y, below.x - at.x, below.y - at.y};
       seen_.emplace_back();
       std::ranges::transform(all, seen_.back().begin(), [](double value) { return static_cast<float>(value); });

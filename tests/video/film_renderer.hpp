@@ -50,8 +50,9 @@ class Renderer {
 
   Scene scene_;
   Motion motion_;
-  std::vector<std::array<float, 6>> seen_;  // of each pixel: its place in the scene, and the derivatives of that
-  std::vector<float> still_;                // light of each pixel without the finger's segments
+  std::vector<std::array<double, 2>> rays_;  // of each corner between pixels: its ray, at the depth of 1
+  std::vector<std::array<float, 6>> seen_;   // of each pixel: its place in the scene, and the derivatives of that
+  std::vector<float> still_;                 // light of each pixel without the finger's segments
 };
 
 }  // namespace film

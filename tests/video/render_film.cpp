@@ -1,7 +1,7 @@
-// Renders a film of a finger by a scene (JSON) and a motion (CSV) through FFmpeg's H.264.
+// Draws pictures of a finger by a scene (JSON) and a motion (CSV): grey, row after row, one after the other, to
+// standard output.
 
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -61,7 +61,6 @@ film::Scene scene_of(const json& from) {
   take(from, "px_per_mm", out.px_per_mm);
   take(from, "middle", out.middle);
   take(from, "rate", out.rate);
-  take(from, "duration", out.duration);
   take(from, "exposure", out.exposure);
   take(from, "readout", out.readout);
   take(from, "optics", out.optics);
@@ -74,29 +73,17 @@ film::Scene scene_of(const json& from) {
   return out;
 }
 
-std::string command_of(const film::Scene& scene, const json& from, const std::string& out) {
-  const std::string filter = from.value("filter", "");  // of FFmpeg, as select='not(eq(n,3))'
-  return "ffmpeg -v error -y -f rawvideo -pix_fmt gray -s " + std::to_string(scene.width) + "x" +
-         std::to_string(scene.height) + " -r " + std::to_string(scene.rate) + " -i - " +
-         (filter.empty() ? "" : "-vf \"" + filter + "\" -fps_mode passthrough ") +
-         "-c:v libx264 -preset veryfast -threads 1 -crf " + std::to_string(from.value("crf", 23)) +
-         " -pix_fmt yuv420p '" + out + "'";
-}
-
+// The scene's "pictures" are the numbers of those that are drawn, by its "rate".
 int run(int argc, char** argv) {
-  if (argc != 4) throw std::runtime_error("usage: render_film SCENE.json MOTION.csv OUT.mp4");
+  if (argc != 3) throw std::runtime_error("usage: render_film SCENE.json MOTION.csv > PICTURES");
   const json from = json::parse(std::ifstream(argv[1]));
   const film::Scene scene = scene_of(from);
   film::Renderer renderer(scene, read_motion(argv[2]));
-  std::FILE* encoder = popen(command_of(scene, from, argv[3]).c_str(), "w");
-  if (encoder == nullptr) throw std::runtime_error("ffmpeg cannot be started");
-  const std::vector<int> doubled = from.value("doubled", std::vector<int>{});
-  std::vector<std::uint8_t> picture;
-  for (int i = 0; i < static_cast<int>(scene.duration * scene.rate + 0.5); ++i) {
-    if (i == 0 || std::ranges::find(doubled, i) == doubled.end()) picture = renderer.render(i / scene.rate, i);
-    std::fwrite(picture.data(), 1, picture.size(), encoder);
+  for (const int number : from.at("pictures")) {
+    const std::vector<std::uint8_t> picture = renderer.render(number / scene.rate, number);
+    std::fwrite(picture.data(), 1, picture.size(), stdout);
   }
-  return pclose(encoder) == 0 ? 0 : 1;
+  return std::fflush(stdout) == 0 ? 0 : 1;
 }
 
 }  // namespace

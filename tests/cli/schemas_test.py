@@ -17,10 +17,11 @@ ROOT = CONFIGS.parent
 SCHEMAS = {path.name: json.loads(path.read_text()) for path in sorted((CONFIGS / "schemas").glob("*.schema.json"))}
 FORMATS = {"actuator/1": "actuator", "lumped-model/1": "lumped-model", "study/1": "study",
            "measured-data/1": "measured-data", "experiment/1": "experiment"}
-# An unknown name after --set is told once the file has been read, and before anything is computed.
+# An unknown name after --set, and a pose that no file has, are told once the file has been read, and before anything is computed.
 READ_ONLY = ["--set", "nothing=1"]
+NO_POSE = ["--at", "0", "0", "0", "--pose", "1000000"]
 NOTHING_FEASIBLE = 3
-WAS_READ = re.compile(r"nothing=1: is not a number of a design|is a lumped model: --set changes designs only")
+WAS_READ = re.compile(r"nothing=1: is not a number of a design|is a lumped model: --set changes designs only|--pose: must be at most ")
 
 
 # What a study may build from its actuator: every key.
@@ -205,7 +206,7 @@ class SchemasAndProgram(ProgramTest):
         but where the test asks for it: keys beside its blocks are looked at only then."""
         command = {"actuator": ["evaluate", "input.json", "--current-A", "0.5", *READ_ONLY],
                    "lumped-model": ["evaluate", "input.json", "--current-A", "0.5", *READ_ONLY],
-                   "pair": ["force", "input.json"],
+                   "pair": ["field", "input.json", *NO_POSE],
                    "study": ["pareto", "input.json", "--out", "out", "--force", "--max-evaluations", "3",
                              *([] if searches else READ_ONLY)],
                    "measured-data": ["diagnose", "input.json", "--actuator", "finger.json", "--out", "found"],

@@ -15,10 +15,9 @@ import subprocess
 import tempfile
 import unittest
 
-from diagnose_test import PLAN, ROD
+from diagnose_test import PLAN, QUICK_PLAN, ROD
 from program import DATA, PROGRAM, ProgramTest, run
 from study import FRONT, GRID, write_study
-from writing_commands import QUICK_PLAN
 
 # Of each kind of folder and of input; COILWRIGHT_MUTATIONS=790 makes ten thousand.
 MUTATIONS = int(os.environ.get("COILWRIGHT_MUTATIONS", "30"))

@@ -11,6 +11,8 @@ from program import CONFIGS, DATA, PAPER_FINGER, ProgramTest, run
 
 FINGER = CONFIGS / "actuators" / "finger.json"
 LUMPED = DATA / "formats" / "lumped_model.json"
+# The shortest search, where any profile will do.
+ANY = ("--pieces", "1")
 
 MAIN = """
 #include <stdio.h>
@@ -128,11 +130,11 @@ class Reach(ProgramTest):
 
     def test_half_the_shares_reach_as_far(self):
         shares = ("--set", "current_share_1=0.5", "--set", "current_share_2=0.5")
-        half = self.reach("--angle-deg", "50", *shares)  # 47.7 deg at half of the wire's current
+        half = self.reach("--angle-deg", "50", *shares, *ANY)  # 47.7 deg at half of the wire's current
         self.assertAlmostEqual(half["holding_current_A"], 2 * fifty_degrees()[2]["holding_current_A"], places=6)
 
     def assert_header_moves_as_the_program(self, actuator, reals):
-        profile = self.reach("--angle-deg", "50", "--c-header", "finger.h", actuator=actuator)["profiles"][-1]
+        profile = self.reach("--angle-deg", "50", "--c-header", "finger.h", *ANY, actuator=actuator)["profiles"][-1]
         start = run("simulate", actuator, "--step-A", "0", "--duration-s", "0.01", "--out", "rest.csv", cwd=self.folder)
         self.assertEqual(start.returncode, 0)
         with open(self.folder / "rest.csv", newline="") as file:
@@ -168,9 +170,9 @@ class Reach(ProgramTest):
             self.assert_refused(("reach", PAPER_FINGER, "--angle-deg", "40", option, name),
                                 f"{name}: cannot be written: it holds something else; --force replaces it, another --out keeps it")
         both = [word for output in outputs for word in output]
-        self.assertEqual(run("reach", PAPER_FINGER, "--angle-deg", "40", *both, "--force", cwd=self.folder).returncode, 0)
+        self.assertEqual(run("reach", PAPER_FINGER, "--angle-deg", "40", *both, *ANY, "--force", cwd=self.folder).returncode, 0)
         first = self.files()
-        self.assertEqual(run("reach", PAPER_FINGER, "--angle-deg", "30", *both, cwd=self.folder).returncode, 0)
+        self.assertEqual(run("reach", PAPER_FINGER, "--angle-deg", "30", *both, *ANY, cwd=self.folder).returncode, 0)
         for _, name in outputs:
             self.assertNotEqual(self.files()[name], first[name])
 

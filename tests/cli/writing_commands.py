@@ -10,13 +10,11 @@ import tempfile
 import time
 
 from archived_runs import ARCHIVE, designs_of
-from diagnose_test import PLAN, ROD
+from diagnose_test import QUICK_PLAN, ROD
 from program import DATA, ProgramTest, run
 from study import FRONT, GRID, write_study
 
 FINGER = ["finger.json"]
-# A second of what diagnose_test has: less than a second to diagnose.
-QUICK_PLAN = {**PLAN, "sampling_rate_Hz": 40, "runs": [{**PLAN["runs"][i], "duration_s": 1} for i in (0, 2)]}
 # Seconds each, and no other way to write than others have: a tenth of the faults and kills.
 SLOW = {"reach", "distribute"}
 SEARCH = {"max_evaluations": 10, "seed": 5}
@@ -34,7 +32,7 @@ COMMANDS = {
     "rig": ["rig", "torque-bench", *FINGER, "--out", "out"],
     "simulate": ["simulate", *FINGER, "--step-A", "1.2", "--out", "out.csv"],
     "linearise": ["linearise", *FINGER, "--current-A", "1", "--out", "out.json"],
-    "reach": ["reach", *FINGER, "--angle-deg", "40", "--out", "out.csv", "--c-header", "out.h"],
+    "reach": ["reach", *FINGER, "--angle-deg", "40", "--out", "out.csv", "--c-header", "out.h", "--pieces", "1"],
     "drive": ["drive", *FINGER, "--mean-A", "1", "--motion-s", "0.05", "--out", "out.csv"],
     "field": ["field", "pair.json", "--map", "xz", "--window", "-30", "30", "-10", "40", "--cells", "30", "--out", "out.csv",
               "--svg", "out.svg"],
@@ -79,9 +77,12 @@ class WritingCommands(ProgramTest):
             maker.write(name, json.dumps(content))
         shutil.copy(DATA / "formats" / "two_magnets.json", cls.inputs / "pair.json")
         for arguments in (["size", "size.json", "--out", "done", "--quiet"],
-                          ["twin", "rod.json", "--experiment", "plan.json", "--out", "set", "--effect", "dry_friction:torque_Nmm=25"],
+                          ["twin", "rod.json", "--experiment", "plan.json", "--out", "set", "--effect", "base_tilt:angle_deg=3"],
                           *(["sweep", "sweep.json", "--part", f"{k}/2", "--out", f"part{k}", "--quiet"] for k in (1, 2))):
             assert run(*arguments, cwd=cls.inputs).returncode == 0, arguments
+        # A tilted rod of which all else is known: half a second to diagnose, and an experiment is proposed too.
+        known = {**maker.result("set/dataset.json"), "calibrate": [], "tolerances": "exact"}
+        maker.write("set/dataset.json", json.dumps(known))
         shutil.copytree(cls.inputs / "done", cls.inputs / "damaged")
         with contextlib.closing(sqlite3.connect(cls.inputs / "damaged" / ARCHIVE)) as database, database:
             database.execute("UPDATE designs SET mass_g = 1 WHERE id > 4")

@@ -93,6 +93,8 @@ class Memory(WritingCommands):
                     if result.returncode == 127:
                         continue  # too little to load the program
                     self.assert_told_or_done(name, how, result)
+                if result.returncode == 0:
+                    break  # more memory changes nothing
 
 
 if __name__ == "__main__":

@@ -87,6 +87,6 @@ class Loop(FilmTest):
 
 if __name__ == "__main__":
     if "FILM_TWINS" not in os.environ:
-        print("takes a minute or more a twin: FILM_TWINS says how many")
+        print("skipped: takes a minute or more a twin: FILM_TWINS says how many")
         sys.exit(77)  # shown as skipped
     filming.main()

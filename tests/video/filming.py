@@ -22,7 +22,7 @@ def require_films():
     """Ends the test as skipped where films can be neither made nor read."""
     module = pathlib.Path(PROGRAM).with_name("libcoilwright_opencv.so")
     if not module.exists() or not shutil.which("ffmpeg"):
-        print("needs OpenCV and ffmpeg")
+        print("skipped: OpenCV (scripts/setup.sh films, then build again) or ffmpeg not installed")
         sys.exit(77)
 
 

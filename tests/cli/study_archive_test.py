@@ -473,7 +473,7 @@ class Disks(ArchivedStudy):
         self.assertGreater(self.runs()[1][1], 0)
 
     def test_an_answer_is_printed_where_the_folder_or_the_archive_is_gone(self):
-        for command, changes in (("size", {"objectives": [FRONT[0]]}), ("pareto", {}),
+        for command, changes in (("size", {"objectives": [FRONT[0]], "search": {"max_evaluations": 150, "seed": 5}}), ("pareto", {}),
                                  ("sweep", {"variables": {**GRID, "gap_mm": {"lower": 0.7, "upper": 1.6, "step": 0.01}}})):
             changes = {"objectives": FRONT, "search": {"max_evaluations": 600, "seed": 5}, **changes}
             write_study(self, **changes)

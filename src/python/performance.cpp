@@ -13,6 +13,7 @@
 #include "coilwright/report/simulation/correction_text.hpp"
 #include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
+#include "coilwright/report/simulation/shut_joints_text.hpp"
 #include "coilwright/simulation/choice_effects.hpp"
 #include "coilwright/simulation/correction_reach.hpp"
 #include "coilwright/simulation/part_limits.hpp"
@@ -69,8 +70,8 @@ std::vector<simulation::CorrectionReach> reach_of(const simulation::EvaluatedDes
 std::string text_of(const Performance& performance) {
   if (const auto* lumped = performance.lumped()) return report::to_text(lumped->motion, lumped->current);
   const simulation::EvaluatedDesign& design = *performance.evaluated();
-  return report::to_text(simulation::part_limits(design.view())) + report::doubts_text(design.design) + '\n' +
-         report::to_text(design.view()) + report::to_text(reach_of(design));
+  return report::to_text(simulation::part_limits(design.view())) + report::opening_text(design.view()) +
+         report::doubts_text(design.design) + '\n' + report::to_text(design.view()) + report::to_text(reach_of(design));
 }
 
 // What the program says of it beside its numbers. Of a limit that is broken without the numbers, so that a loop over

@@ -15,6 +15,7 @@
 #include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/percent.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
+#include "coilwright/report/simulation/shut_joints_text.hpp"
 #include "coilwright/report/simulation/text_table.hpp"
 #include "coilwright/report/yield_text.hpp"
 #include "coilwright/simulation/part_limits.hpp"
@@ -139,7 +140,8 @@ std::string parts_text(const formats::SizeReport& report) {
     });
     return found == report.study.limits.end() ? std::nullopt : std::optional(found->value);
   };
-  return warning_of_parts(broken, report.study.spread.has_value(), limit_in_study) + doubts_text(report.study.base);
+  return warning_of_parts(broken, report.study.spread.has_value(), limit_in_study) + opening_text(evaluated->view()) +
+         doubts_text(report.study.base);
 }
 
 // Which limits a build keeps in all of its uses, by the share of the builds that the study asks for.

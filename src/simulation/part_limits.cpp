@@ -10,6 +10,7 @@
 
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/simulation/pressed_joints.hpp"
+#include "coilwright/simulation/shut_joints.hpp"
 #include "coilwright/simulation/supply.hpp"
 #include "coilwright/units/angle.hpp"
 
@@ -84,6 +85,7 @@ std::optional<PartLimit> limit_of_joints(const DesignView& design) {
   const std::vector<int> under_current = pressed_joints(model, steady);
   std::string text = pressed_joints_text(at_rest, under_current);
   if (text.empty()) return std::nullopt;
+  if (const std::string cause = what_shuts_joints(design); !cause.empty()) text += "; " + cause;
   return under_current.empty() ? limit_of_joints(design, smallest_rest_joint, at_rest, rest, std::move(text))
                                : limit_of_joints(design, smallest_joint, under_current, steady, std::move(text));
 }

@@ -203,6 +203,13 @@ std::vector<ResultQuantity> rows() {
       of_cold("smallest_rest_joint_angle_deg", "smallest angle of any one joint of the finger hanging without current",
               10.0,
               [](const MotionSummary& motion) { return motion.rest_angles.minCoeff() * units::degrees_per_radian; }),
+      of_motion("smallest_joint_stroke_deg",
+                "smallest change of the angle of any one joint in a step from rest, 0 of one that stays shut, below 0 "
+                "of one that closes",
+                10.0,
+                [](const FreeMotion& motion) -> Value {
+                  return (motion.steady_angles - motion.rest_angles).minCoeff() * units::degrees_per_radian;
+                }),
       of_motion("overshoot_pct", "excess over the steady angle, relative to the change", 50.0,
                 [](const FreeMotion& motion) -> Value { return motion.overshoot * 100.0; }),
       of_motion(

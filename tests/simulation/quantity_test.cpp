@@ -86,7 +86,9 @@ TEST(PartLimits, SayWhichJointsArePressedShut) {
   const auto backwards = limits_of_joints({}, -1.0);
   ASSERT_EQ(backwards.size(), 1U);
   EXPECT_EQ(backwards[0].quantity, "smallest_joint_angle_deg");
-  EXPECT_EQ(backwards[0].consequence, "joints 1 and 2 are pressed shut at this current: they do not open");
+  EXPECT_TRUE(
+      backwards[0].consequence.starts_with("joints 1 and 2 are pressed shut at this current: they do not open; coil 1 "
+                                           "and magnet 1 attract each other with "));
   EXPECT_TRUE(backwards[0].conditional);
   EXPECT_EQ(backwards[0].limit, 0.0);
 
@@ -152,9 +154,9 @@ TEST(Quantities, OfALumpedModelAreThoseOfADesign) {
     EXPECT_EQ(quantity.value_of_lumped(base.performance.cold, base.point.current), quantity.value(base.view()))
         << quantity.name;
   }
-  // Two angles, the smallest of each pose, seven numbers of the step, frequency and damping of a mode, two forces and
-  // the current.
-  EXPECT_EQ(lumped, 2 + 2 + 7 + 2 + 2 + 1);
+  // Two angles, the smallest of each pose and the smallest change between them, seven numbers of the step, frequency
+  // and damping of a mode, two forces and the current.
+  EXPECT_EQ(lumped, 2 + 3 + 7 + 2 + 2 + 1);
 }
 
 TEST(QuantityTable, TakesAQuantityOfAUsersOwn) {

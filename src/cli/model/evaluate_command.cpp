@@ -22,6 +22,7 @@
 #include "coilwright/report/simulation/correction_text.hpp"
 #include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
+#include "coilwright/report/simulation/shut_joints_text.hpp"
 #include "coilwright/simulation/choice_effects.hpp"
 #include "coilwright/simulation/correction_reach.hpp"
 #include "coilwright/simulation/part_limits.hpp"
@@ -83,7 +84,7 @@ void evaluate(const actuator::Design& design, const formats::ActuatorFile& file,
     if (!has_one_current(design))
       std::cout << fmt::format("With {}: each coil needs a driver of its own.\n",
                                report::coil_currents_text(design, point.current));
-    std::cout << report::to_text(limits) << report::doubts_text(design) << '\n'
+    std::cout << report::to_text(limits) << report::opening_text(view) << report::doubts_text(design) << '\n'
               << report::to_text(view) << report::to_text(view, effects) << report::to_text(reach);
   }
 }

@@ -15,6 +15,7 @@ class Quantities:
     peak_joint_angle_deg: float
     smallest_joint_angle_deg: float
     smallest_rest_joint_angle_deg: float
+    smallest_joint_stroke_deg: float
     overshoot_pct: float
     settling_time_s: float
     damping_ratio: float

@@ -53,7 +53,7 @@ ROOMS = {
     "cli/page": "cli/model cli/runs results/page",
     "cli/export": "cli exports",
     "cli/programs": "cli",
-    "python": "results/diagnosis results/page report/systems",
+    "python": "results/diagnosis results/page report/systems formats/systems",
 }
 
 # Folders inside a room, in the order of its method: each includes only those before it, and what lies in the room itself

@@ -35,6 +35,7 @@ void bind_study(pybind11::module_& module);
 void bind_problem(pybind11::module_& module);
 void bind_answers(pybind11::module_& module);
 void bind_diagnosis(pybind11::module_& module);
+void bind_systems(pybind11::module_& module);
 ///@}
 
 }  // namespace coilwright::python

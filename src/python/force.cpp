@@ -3,15 +3,19 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "coilwright/formats/actuator/pair_file.hpp"
+#include "coilwright/magnetics/field_places.hpp"
 #include "coilwright/magnetics/forces.hpp"
 #include "coilwright/report/systems/pair_remarks.hpp"
+#include "coilwright/text/input_error.hpp"
 #include "coilwright/text/input_text.hpp"
 #include "coilwright/text/json/document.hpp"
+#include "coilwright/units/unit.hpp"
 #include "python/bindings.hpp"
 
 namespace coilwright::python {
@@ -113,6 +117,45 @@ Array force(const Pair& pair, const Array& positions, const Array& axes) {
   return out;
 }
 
+// B and its gradient at each point, and the number of the body it lies in (0: none; -1: behind the face of the plate).
+py::tuple field(const Pair& pair, const Array& points_mm, std::size_t pose, bool gradient) {
+  if (pose == 0 || pose > pair.file.poses.size())
+    throw text::InputError({.file = "pose",
+                            .rule = "must be at least 1, and at most how many poses " + pair.origin + " has, " +
+                                    std::to_string(pair.file.poses.size()),
+                            .value = std::to_string(pose)});
+  const auto count = static_cast<std::size_t>(points_mm.shape(0));
+  std::vector<Eigen::Vector3d> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* row = points_mm.data() + 3 * i;
+    points.emplace_back(units::to_memory(row[0], "x_mm"), units::to_memory(row[1], "y_mm"),
+                        units::to_memory(row[2], "z_mm"));
+  }
+  const std::vector<Body> bodies = pair.file.bodies_at(pair.file.poses[pose - 1]);
+  report::PairRemarks remarks(pair.file);
+  remarks.add(bodies, pose);
+  const magnetics::FieldPlaces found = [&] {
+    const py::gil_scoped_release others_run;
+    return magnetics::field_places(bodies, pair.file.plate, points, gradient);
+  }();
+  Array flux({count, std::size_t{3}});
+  Array slopes({gradient ? count : std::size_t{0}, std::size_t{3}, std::size_t{3}});
+  py::array_t<int> within(static_cast<py::ssize_t>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    const magnetics::FieldSample& sample = found.samples[i];
+    const double unknown = found.in_iron[i] ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+    for (int k = 0; k < 3; ++k) {
+      flux.mutable_data()[3 * i + static_cast<std::size_t>(k)] =
+          units::from_si(sample.flux_density[k], "B_mT") + unknown;
+      for (int j = 0; j < 3 && gradient; ++j)
+        slopes.mutable_data()[9 * i + static_cast<std::size_t>(3 * k + j)] = sample.gradient(k, j) + unknown;
+    }
+    within.mutable_data()[i] = found.in_iron[i] ? -1 : static_cast<int>(found.within[i]);
+  }
+  for (const std::string& sentence : remarks.sentences()) warn(pair.origin + ": " + sentence);
+  return py::make_tuple(flux, slopes, within);
+}
+
 }  // namespace
 
 void bind_force(py::module_& module) {
@@ -123,6 +166,7 @@ void bind_force(py::module_& module) {
       .def_property_readonly("text", [](const Pair& self) { return self.text; })
       .def_property_readonly("origin", [](const Pair& self) { return self.origin; });
   module.def("force", &force, py::arg("pair"), py::arg("positions_mm"), py::arg("axes"));
+  module.def("field", &field, py::arg("pair"), py::arg("points_mm"), py::arg("pose"), py::arg("gradient"));
 }
 
 }  // namespace coilwright::python

@@ -19,4 +19,5 @@ PYBIND11_MODULE(_core, module) {
   bind_problem(module);
   bind_answers(module);
   bind_diagnosis(module);
+  bind_systems(module);
 }

@@ -19,15 +19,19 @@ namespace py = pybind11;
 
 Study study_of(const std::string& text, const std::string& origin, const Actuator* actuator,
                std::vector<std::string> changes, const py::sequence& quantities,
-               const actuator::EffectCatalogue& effects) {
+               const actuator::EffectCatalogue& effects, const std::optional<std::string>& posterior) {
   const simulation::QuantityTable table = table_with(quantities);
   std::optional<text::InputText> own;
   if (actuator != nullptr) own = {.file = actuator->origin, .text = actuator->text};
-  return {
-      .content = formats::parse_study(
-          text, origin,
-          {.quantities = table, .effects = effects, .changes = std::move(changes), .actuator = own ? &*own : nullptr}),
-      .origin = origin};
+  std::optional<text::InputText> diagnosis;
+  if (posterior) diagnosis = {.file = "posterior", .text = *posterior};
+  return {.content = formats::parse_study(text, origin,
+                                          {.quantities = table,
+                                           .effects = effects,
+                                           .changes = std::move(changes),
+                                           .actuator = own ? &*own : nullptr,
+                                           .posterior = diagnosis ? &*diagnosis : nullptr}),
+          .origin = origin};
 }
 
 std::vector<std::string> names_of_variables(const Study& study) {
@@ -53,7 +57,7 @@ std::vector<std::string> names_of_limits(const Study& study) {
 void bind_study(py::module_& module) {
   py::class_<Study>(module, "Study")
       .def_static("parse", &study_of, py::arg("text"), py::arg("origin"), py::arg("actuator").none(true),
-                  py::arg("changes"), py::arg("quantities"), py::arg("effects"))
+                  py::arg("changes"), py::arg("quantities"), py::arg("effects"), py::arg("posterior"))
       .def_property_readonly("name", [](const Study& self) { return self.content.name; })
       .def_property_readonly("variables", &names_of_variables)
       .def_property_readonly("objectives", &names_of_objectives)

@@ -12,17 +12,14 @@
 #include "cli/actuator_input.hpp"
 #include "cli/model/commands.hpp"
 #include "cli/options.hpp"
+#include "coilwright/formats/systems/crawl_json.hpp"
 #include "coilwright/systems/crawl.hpp"
 #include "coilwright/systems/crawl_heat.hpp"
 #include "coilwright/text/input_error.hpp"
-#include "coilwright/text/json/json.hpp"
-#include "coilwright/units/angle.hpp"
 #include "coilwright/units/unit.hpp"
 
 namespace coilwright::cli {
 namespace {
-
-using text::Json;
 
 // As on the command line, each in the unit of its name.
 struct CrawlOptions {
@@ -53,7 +50,7 @@ systems::CrawlerParts parts_of(const CrawlOptions& options) {
 }
 
 struct Answer {
-  double mass{};  // kg
+  formats::CrawlRows rows;
   systems::Crawl crawl;
   systems::CrawlHeat heat;
 };
@@ -70,63 +67,15 @@ Answer answer_of(const CrawlOptions& options) {
   }();
   const systems::Crawl crawl = systems::crawl(
       crawler, {.settling_periods = options.settling_periods, .periods = options.periods, .step = options.step * 1e-3});
-  return {.mass = crawler.mass(),
-          .crawl = crawl,
-          .heat = systems::heat_of_crawl(built.design, built.assembly, crawler, crawl)};
+  const systems::CrawlHeat heat = systems::heat_of_crawl(built.design, built.assembly, crawler, crawl);
+  return {.rows = formats::rows_of(crawler, crawl, heat), .crawl = crawl, .heat = heat};
 }
 
-std::string point_name(std::size_t i, std::size_t count) {
-  if (i == 0) return "rear_end";
-  return i + 1 == count ? "front_end" : fmt::format("joint{}", i);
-}
-
-// Nothing: a time that never comes.
-using Rows = std::vector<std::pair<std::string, std::optional<double>>>;
-
-// Every number by its key; the table prints the same rows.
-Rows rows_of(const Answer& answer) {
-  const systems::Crawl& crawl = answer.crawl;
-  const systems::CrawlPowers& powers = crawl.powers;
-  Rows rows{{"crawler_mass_g", answer.mass * 1e3},
-            {"speed_mm_s", crawl.speed * 1e3},
-            {"speed_scatter_mm_s", crawl.speed_scatter * 1e3},
-            {"coil_current_A", crawl.pulse_current},
-            {"mean_cell_current_A", crawl.mean_current},
-            {"power_W", powers.electrical},
-            {"run_time_s", crawl.run_time},
-            {"distance_per_charge_m", crawl.distance_per_charge},
-            {"largest_bending_deg", crawl.largest_bending * units::degrees_per_radian},
-            {"smallest_bending_deg", crawl.smallest_bending * units::degrees_per_radian}};
-  for (std::size_t i = 0; i < crawl.lifts.size(); ++i)
-    rows.emplace_back(fmt::format("lift_{}_mm", point_name(i, crawl.lifts.size())), crawl.lifts[i] * 1e3);
-  for (const auto& [key, watts] : {std::pair{"copper_heat_mW", powers.copper},
-                                   {"lead_heat_mW", powers.leads},
-                                   {"mechanical_mW", powers.mechanical},
-                                   {"hinge_loss_mW", powers.hinges},
-                                   {"friction_loss_mW", powers.friction},
-                                   {"impact_loss_mW", powers.impacts},
-                                   {"stored_mW", powers.stored},
-                                   {"unbalanced_mW", powers.unbalanced}})
-    rows.emplace_back(key, watts * 1e3);
-  rows.insert(rows.end(), {{"coil_rms_current_A", answer.heat.rms_current},
-                           {"continuous_current_A", answer.heat.taken.for_good},
-                           {"time_to_limit_s", answer.heat.taken.until},
-                           {"still_air_continuous_current_A", answer.heat.still_air.for_good},
-                           {"still_air_time_to_limit_s", answer.heat.still_air.until}});
-  return rows;
-}
-
-std::string as_table(const Rows& rows) {
+std::string as_table(const formats::CrawlRows& rows) {
   std::string text;
   for (const auto& [key, value] : rows)
     text += fmt::format("{:<30} {:>12}\n", key, value ? fmt::format("{:.5g}", *value) : "never");
   return text;
-}
-
-std::string as_json(const Rows& rows) {
-  Json out = Json::object({});
-  for (const auto& [key, value] : rows) out.set(key, value);
-  return out.text();
 }
 
 // A part that is at its limit only after the cell is empty is none to speak of.
@@ -146,8 +95,7 @@ std::string remarks(const Answer& answer) {
 
 void run_crawl(const CrawlOptions& options) {
   const Answer answer = answer_of(options);
-  const Rows rows = rows_of(answer);
-  std::cout << (options.json ? as_json(rows) : as_table(rows));
+  std::cout << (options.json ? formats::to_json(answer.rows).text() : as_table(answer.rows));
   std::cerr << remarks(answer);
 }
 

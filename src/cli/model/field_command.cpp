@@ -21,7 +21,7 @@
 #include "cli/outputs.hpp"
 #include "coilwright/exports/field_map.hpp"
 #include "coilwright/formats/actuator/pair_file.hpp"
-#include "coilwright/magnetics/field.hpp"
+#include "coilwright/magnetics/field_places.hpp"
 #include "coilwright/text/csv/csv_table.hpp"
 #include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/text/input_error.hpp"
@@ -35,6 +35,7 @@ namespace {
 using exports::MapPlane;
 using formats::PairFile;
 using magnetics::Body;
+using magnetics::FieldPlaces;
 using magnetics::FieldSample;
 using text::InputError;
 using text::Json;
@@ -65,12 +66,6 @@ struct Question {
   std::optional<magnetics::Plate> plate;
   std::optional<MapPlane> plane;
   std::vector<Eigen::Vector3d> points;
-};
-
-struct FieldAnswer {
-  std::vector<FieldSample> samples;
-  std::vector<std::size_t> within;  // number of the body that a point lies in, from 1 on; 0 for none
-  std::vector<bool> in_iron;        // behind the face of the plate, where its mirror says nothing
 };
 
 std::vector<Eigen::Vector3d> points_at(const std::vector<double>& numbers) {
@@ -168,29 +163,6 @@ Question field_question(const FieldOptions& options, const PairFile& file) {
   return question;
 }
 
-std::vector<FieldSample> samples_at(const std::vector<Body>& sources, const Question& question, bool gradient) {
-  if (gradient) return magnetics::field(sources, question.points);
-  std::vector<FieldSample> out;
-  for (const Eigen::Vector3d& each : magnetics::flux_density(sources, question.points))
-    out.push_back({.flux_density = each});
-  return out;
-}
-
-FieldAnswer fields_at(const Question& question, bool gradient) {
-  std::vector<Body> sources = question.bodies;
-  if (question.plate)
-    for (const Body& body : question.bodies) sources.push_back(magnetics::image_of(body, *question.plate));
-  FieldAnswer out{.samples = samples_at(sources, question, gradient), .within = {}, .in_iron = {}};
-  for (const Eigen::Vector3d& point : question.points) {
-    std::size_t within = 0;
-    for (std::size_t i = question.bodies.size(); i > 0; --i)
-      if (magnetics::is_inside(question.bodies[i - 1], point)) within = i;
-    out.within.push_back(within);
-    out.in_iron.push_back(question.plate && question.plate->normal.dot(point - question.plate->position) < 0.0);
-  }
-  return out;
-}
-
 constexpr std::array gradient_names{"dBx_dx_T_m", "dBx_dy_T_m", "dBx_dz_T_m", "dBy_dx_T_m", "dBy_dy_T_m",
                                     "dBy_dz_T_m", "dBz_dx_T_m", "dBz_dy_T_m", "dBz_dz_T_m"};
 
@@ -202,7 +174,7 @@ std::vector<std::string> field_columns(bool gradient) {
 }
 
 // The numbers of a point in the order of the columns, without the last one; of one in iron its place alone.
-std::vector<double> numbers_of(const Question& question, const FieldAnswer& answer, std::size_t i, bool gradient) {
+std::vector<double> numbers_of(const Question& question, const FieldPlaces& answer, std::size_t i, bool gradient) {
   const auto& point = question.points[i];
   std::vector<double> out{from_si(point.x(), "x_mm"), from_si(point.y(), "y_mm"), from_si(point.z(), "z_mm")};
   if (answer.in_iron[i]) return out;
@@ -216,7 +188,7 @@ std::vector<double> numbers_of(const Question& question, const FieldAnswer& answ
   return out;
 }
 
-void write_csv(std::ostream& stream, const Question& question, const FieldAnswer& answer, bool gradient) {
+void write_csv(std::ostream& stream, const Question& question, const FieldPlaces& answer, bool gradient) {
   text::CsvWriter csv(stream, field_columns(gradient));
   for (std::size_t i = 0; i < question.points.size(); ++i) {
     const std::vector<double> numbers = numbers_of(question, answer, i, gradient);
@@ -227,7 +199,7 @@ void write_csv(std::ostream& stream, const Question& question, const FieldAnswer
   }
 }
 
-Json as_json(const Question& question, const FieldAnswer& answer, const PairFile& file, bool gradient) {
+Json as_json(const Question& question, const FieldPlaces& answer, const PairFile& file, bool gradient) {
   Json rows = Json::array();
   for (std::size_t i = 0; i < question.points.size(); ++i) {
     const std::vector<double> n = numbers_of(question, answer, i, gradient);
@@ -248,7 +220,7 @@ Json as_json(const Question& question, const FieldAnswer& answer, const PairFile
   return Json::object({{"points", std::move(rows)}});
 }
 
-std::string as_table(const Question& question, const FieldAnswer& answer, const PairFile& file, bool gradient) {
+std::string as_table(const Question& question, const FieldPlaces& answer, const PairFile& file, bool gradient) {
   std::string text;
   const std::vector<std::string> columns = field_columns(gradient);
   for (std::size_t k = 0; k + 1 < columns.size(); ++k) text += fmt::format(" {:>{}}", columns[k], k < 3 ? 10 : 16);
@@ -264,7 +236,7 @@ std::string as_table(const Question& question, const FieldAnswer& answer, const 
   return text;
 }
 
-std::string map_of(const Question& question, const FieldAnswer& answer, const std::string& pair) {
+std::string map_of(const Question& question, const FieldPlaces& answer, const std::string& pair) {
   std::vector<Eigen::Vector3d> flux;
   for (std::size_t i = 0; i < answer.samples.size(); ++i)
     flux.push_back(answer.in_iron[i] ? Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())
@@ -300,7 +272,7 @@ void run_field(const FieldOptions& options) {
   report::PairRemarks remarks(file);
   remarks.add(question.bodies, static_cast<std::size_t>(options.pose));
   tell(remarks, options.pair);
-  const FieldAnswer found = fields_at(question, options.gradient);
+  const FieldPlaces found = magnetics::field_places(question.bodies, question.plate, question.points, options.gradient);
   if (table) write_csv(table->stream(), question, found, options.gradient);
   if (picture) picture->stream() << map_of(question, found, options.pair);
   constexpr std::string_view picture_mark = ">";

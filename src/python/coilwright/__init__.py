@@ -22,17 +22,20 @@ from coilwright._core import version as __version__
 from coilwright._diagnosis import Diagnosis, Estimate, Plan, Records, diagnose, plan, report, twin
 from coilwright._effects import Effect, Number, effects
 from coilwright._errors import InputError, NoPerformance, OutputError
-from coilwright._force import Forces, Pair, force
+from coilwright._evaluations import evaluate_all
+from coilwright._force import Field, Forces, Pair, field, force
 from coilwright._motion import Motion, simulate
 from coilwright._performance import Performance, evaluate
 from coilwright._results import Front, Progress, Sized, Swept, pareto, size, sweep
 from coilwright._search import Found, search
 from coilwright._study import Quantity, Study
+from coilwright._systems import crawl, drive, grip, linearise, reach, yield_of
 from coilwright._tables import Table
 
 __all__ = [
-    "Actuator", "Diagnosis", "Effect", "Estimate", "Forces", "Found", "Front", "InputError", "Motion", "NoPerformance",
-    "Number", "OutputError", "Pair", "Performance", "Plan", "Progress", "Quantity", "Records", "Sized", "Study", "Swept",
-    "Table", "__version__", "diagnose", "effects", "evaluate", "force", "pareto", "plan", "report", "search", "simulate",
-    "size", "sweep", "twin",
+    "Actuator", "Diagnosis", "Effect", "Estimate", "Field", "Forces", "Found", "Front", "InputError", "Motion",
+    "NoPerformance", "Number", "OutputError", "Pair", "Performance", "Plan", "Progress", "Quantity", "Records", "Sized",
+    "Study", "Swept", "Table", "__version__", "crawl", "diagnose", "drive", "effects", "evaluate", "evaluate_all",
+    "field", "force", "grip", "linearise", "pareto", "plan", "reach", "report", "search", "simulate", "size", "sweep",
+    "twin", "yield_of",
 ]

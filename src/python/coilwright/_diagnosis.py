@@ -78,6 +78,30 @@ class Records(Mapping[str, Table]):
                  for entry, columns in zip(entries, runs.values())}
         return cls({"format": "measured-data/1", "name": name, **keys, "runs": entries}, files)
 
+    @classmethod
+    def load(cls, folder: Path) -> Records:
+        """The records of a folder, or of the dataset.json in it: all files that its runs name. Raises InputError for files
+        that do not lie in that folder.
+
+        >>> import coilwright as cw, tempfile
+        >>> records = cw.twin(cw.Actuator.prototype(), "configs/experiments/paper.json")
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     records.save(folder)
+        ...     cw.Records.load(folder) == records
+        True
+        """
+        place = pathlib.Path(folder)
+        if place.name != "dataset.json":
+            place = place / "dataset.json"
+        try:
+            dataset = json.loads(_core.read_text(str(place)))
+            runs = dataset["runs"]
+            names = [name for run in runs for name in (run["file"], _file_of(run.get("input_file"))) if name is not None]
+        except (json.JSONDecodeError, KeyError, TypeError, AttributeError) as fault:
+            raise InputError(f"{place}: is no data set ({fault!r})", str(place), "", "is no data set", repr(fault)) from None
+        _require_file_names(dict.fromkeys(names))
+        return cls(dataset, {name: (place.parent / name).read_text(**_BYTES) for name in dict.fromkeys(names)})
+
     def __iter__(self) -> Iterator[str]:
         return iter(self._files)
 
@@ -92,12 +116,21 @@ class Records(Mapping[str, Table]):
         place = pathlib.Path(folder)
         place.mkdir(parents=True, exist_ok=True)
         for name, text in self._files.items():
-            (place / name).write_text(text, encoding="utf-8")
+            (place / name).write_text(text, **_BYTES)
         dataset = self.dataset
         if actuator is not None:
             actuator.save(place / "actuator.json")
             dataset = {**dataset, "actuator": "actuator.json"}
         (place / "dataset.json").write_text(json.dumps(dataset, indent=2) + "\n", encoding="utf-8")
+
+
+# Whatever a foreign file is written in comes out as it went in.
+_BYTES: dict[str, Any] = {"encoding": "utf-8", "errors": "surrogateescape"}
+
+
+def _file_of(input: Any) -> Optional[str]:
+    name: Optional[str] = input["file"] if isinstance(input, Mapping) else input
+    return name
 
 
 def _require_file_names(names: Iterable[str]) -> None:
@@ -194,10 +227,11 @@ class Diagnosis(Answer):
         are said to be from. Raises OutputError."""
         self._core.write(os.fspath(folder))
 
-    def plot(self, run: str, axes: Any = None) -> Any:
-        """A run as measured, declared and corrected, where matplotlib is installed; gives the axes."""
+    def plot(self, run: str, axes: Any = None, **keywords: Any) -> Any:
+        """A run as measured, declared and corrected, where matplotlib is installed; gives the axes. keywords: of
+        its `plot`."""
         from coilwright import _plots
-        return _plots.residuals(self, run, axes)
+        return _plots.residuals(self, run, axes, keywords)
 
 
 def diagnose(records: Union[Records, Path], actuator: Union[Actuator, Path, None] = None, *, seed: int = 1,

@@ -122,3 +122,40 @@ def _rows(name: str, values: ArrayLike, count: Optional[int]) -> NDArray[np.floa
     if rows.ndim != 2 or rows.shape[1] != 3 or (count is not None and len(rows) != count) or len(rows) == 0:
         raise ValueError(f"{name}: must have shape ({count or 'poses'}, 3); got {rows.shape}")
     return rows
+
+
+class Field(NamedTuple):
+    """The flux density at each point. Made by `field`.
+
+    >>> import coilwright as cw
+    >>> cw.Field._fields
+    ('flux_density_mT', 'gradient_T_m', 'inside')
+    """
+
+    flux_density_mT: NDArray[np.float64]
+    """(points, 3), B; nan in the iron of a plate."""
+    gradient_T_m: NDArray[np.float64]
+    """(points, 3, 3), dB_i / dx_j; none (0, 3, 3) where it was not asked for."""
+    inside: tuple[Optional[str], ...]
+    """Name of the body that each point lies in, or "plate"; None outside of all."""
+
+
+def field(pair: Pair, points_mm: ArrayLike, *, pose: int = 1, gradient: bool = False) -> Field:
+    """The flux density of coils and magnets at many points, anywhere: what `coilwright field` prints.
+
+    points_mm: (points, 3) or (3). pose: of the last body, from 1. gradient: also how it changes from there, in twice the
+    time. Raises InputError; warns as the program does.
+
+    >>> import coilwright as cw
+    >>> magnet = {"magnet": {"radius_mm": 5, "length_mm": 4, "remanence_T": 1.2}}
+    >>> pair = cw.Pair.from_dict({"bodies": [{**magnet, "position_mm": [0, 0, 0]}, {**magnet, "position_mm": [0, 0, 9]}]})
+    >>> flux = cw.field(pair, [[0, 0, 4.5], [0, 0, 30]]).flux_density_mT
+    >>> bool(flux[0, 2] > flux[1, 2] > 0)
+    True
+    """
+    given = floats("points_mm", points_mm, whole=True)
+    points = _rows("points_mm", given[None] if given.shape == (3,) else given, None)
+    core = core_of(pair, Pair)
+    flux, slopes, within = _core.field(core, points, int(pose), bool(gradient))
+    names = (None, *pair.names, "plate")  # -1 is the last one
+    return Field(read_only(flux), read_only(slopes), tuple(names[number] for number in within))

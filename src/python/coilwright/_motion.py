@@ -66,10 +66,10 @@ class Motion(Mapping[str, NDArray[np.float64]]):
         """As a pandas DataFrame, where pandas is installed."""
         return importlib.import_module("pandas").DataFrame(self.rows, columns=self.columns)
 
-    def plot(self, axes: Any = None) -> Any:
-        """The bending angle over time, where matplotlib is installed; gives the axes."""
+    def plot(self, axes: Any = None, **keywords: Any) -> Any:
+        """The bending angle over time, where matplotlib is installed; gives the axes. keywords: of its `plot`."""
         from coilwright import _plots
-        return _plots.motion(self, self._title, axes)
+        return _plots.motion(self, self._title, axes, keywords)
 
     def __repr__(self) -> str:
         return f"<coilwright.Motion of {self._title!r}, {len(self._rows)} samples>"

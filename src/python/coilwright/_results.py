@@ -217,10 +217,10 @@ class Front(_Designs):
         """Every design that was evaluated: evaluations.csv."""
         return Table(self._core.evaluations())
 
-    def plot(self, axes: Any = None) -> Any:
-        """The front in its first two objectives, where matplotlib is installed; gives the axes."""
+    def plot(self, axes: Any = None, **keywords: Any) -> Any:
+        """The front in its first two objectives, where matplotlib is installed; gives the axes. keywords: of its `plot`."""
         from coilwright import _plots
-        return _plots.table(self.table(), self._objectives[0], self._objectives[1], axes)
+        return _plots.table(self.table(), self._objectives[0], self._objectives[1], axes, keywords)
 
 
 class Swept(_Designs):
@@ -235,10 +235,10 @@ class Swept(_Designs):
     def __init__(self, core: _core.SweepAnswer) -> None:
         self._core = core
 
-    def plot(self, x: str, y: str, axes: Any = None) -> Any:
-        """Two columns of the table against each other, where matplotlib is installed; gives the axes."""
+    def plot(self, x: str, y: str, axes: Any = None, **keywords: Any) -> Any:
+        """Two columns of the table against each other, where matplotlib is installed; gives the axes. keywords: of its `plot`."""
         from coilwright import _plots
-        return _plots.table(self.table(), x, y, axes)
+        return _plots.table(self.table(), x, y, axes, keywords)
 
 
 def size(study: Study, *, seed: Optional[int] = None, max_evaluations: Optional[int] = None,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, NamedTuple, Optional, Union
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
 from coilwright import _core
 from coilwright._actuator import Actuator, Path
@@ -12,6 +12,9 @@ from coilwright._arrays import json_text, plain
 from coilwright._effects import Effect, catalogue
 from coilwright._errors import number
 from coilwright._performance import Performance
+
+if TYPE_CHECKING:
+    from coilwright._diagnosis import Diagnosis
 
 
 class Quantity(NamedTuple):
@@ -45,31 +48,33 @@ class Study:
     """
 
     def __init__(self, text: str, origin: str, actuator: Optional[Actuator], changes: Sequence[str],
-                 quantities: Sequence[Quantity], effects: Sequence[Effect]) -> None:
+                 quantities: Sequence[Quantity], effects: Sequence[Effect], posterior: Optional[str] = None) -> None:
         self._effects = tuple(effects)
-        self._made_of = (text, origin, actuator, tuple(changes), tuple(quantities), tuple(effects))
+        self._made_of = (text, origin, actuator, tuple(changes), tuple(quantities), tuple(effects), posterior)
         self._core = _core.Study.parse(text, origin, None if actuator is None else actuator._core, list(changes),
-                                       [_row(each) for each in quantities], catalogue(effects))
+                                       [_row(each) for each in quantities], catalogue(effects), posterior)
 
     @classmethod
     def load(cls, path: Path, *, set: Mapping[str, Union[float, str]] = {}, actuator: Optional[Actuator] = None,
-             quantities: Sequence[Quantity] = (), effects: Sequence[Effect] = ()) -> Study:
+             quantities: Sequence[Quantity] = (), effects: Sequence[Effect] = (),
+             posterior: Optional[Diagnosis] = None) -> Study:
         """Reads a file. set: numbers of its actuator by name, or of the study by JSON pointer, as --set of the program.
         actuator: in place of the one that it names. quantities: its objectives, constraints and columns may name them.
-        effects: its actuator may have them. Raises InputError.
+        effects: its actuator may have them. posterior: in place of the diagnosis that its spread names. Raises InputError.
 
         >>> import coilwright as cw
         >>> cw.Study.load("configs/studies/fastest_finger.json", set={"/constraints/3/at_most": 60}).limits[3]
         'mass_g <= 60'
         """
         origin = os.fspath(path)
-        return cls(_core.read_text(origin), origin, actuator, _assignments(set), quantities, effects)
+        return cls(_core.read_text(origin), origin, actuator, _assignments(set), quantities, effects, _json_of(posterior))
 
     @classmethod
     def from_dict(cls, content: Mapping[str, Any], actuator: Optional[Actuator] = None, *,
-                  quantities: Sequence[Quantity] = (), effects: Sequence[Effect] = ()) -> Study:
+                  quantities: Sequence[Quantity] = (), effects: Sequence[Effect] = (),
+                  posterior: Optional[Diagnosis] = None) -> Study:
         """The study of a file's content as `json` reads it; without an actuator of yours, of the file that it names,
-        from the working folder. Raises InputError, whose file is "study".
+        from the working folder; likewise of the diagnosis. Raises InputError, whose file is "study".
 
         >>> import coilwright as cw
         >>> cw.Study.from_dict({"format": "study/1", "name": "light", "operating_point": {"current_A": 1.0},
@@ -79,7 +84,12 @@ class Study:
         """
         if actuator is not None:
             content = {"actuator": "actuator.json", **content}
-        return cls(json_text(content, "study"), "study", actuator, (), quantities, effects)
+        return cls(json_text(content, "study"), "study", actuator, (), quantities, effects, _json_of(posterior))
+
+    def _of(self, actuator: Actuator) -> _core.Study:
+        """The same study of another actuator."""
+        text, origin, _, changes, quantities, effects, posterior = self._made_of
+        return Study(text, origin, actuator, changes, quantities, effects, posterior)._core
 
     @property
     def name(self) -> str:
@@ -106,6 +116,10 @@ class Study:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Study, self._made_of
+
+
+def _json_of(posterior: Optional[Diagnosis]) -> Optional[str]:
+    return None if posterior is None else posterior._core.json
 
 
 def _assignments(changes: Mapping[str, Union[float, str]]) -> list[str]:

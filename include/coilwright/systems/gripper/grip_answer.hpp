@@ -58,4 +58,15 @@ struct GripAnswer {
   }
 };
 
+/// What is asked of a grip beside the task; 0: not asked for.
+struct GripSearch {
+  double most_current{};   ///< A, up to which the least one that holds is looked for
+  double most_friction{};  ///< coefficient, likewise
+};
+
+/// Closes fingers of `design` that hang as `mounting` says on the object, lifts it, loads it until it slips, and says
+/// what that does to coils and magnets. `supply` drives one finger. Throws as Gripper and grasp().
+[[nodiscard]] GripAnswer grip(const actuator::Design& design, const Mounting& mounting, const Object& object,
+                              const GraspTask& task, const actuator::Supply& supply, const GripSearch& search);
+
 }  // namespace coilwright::systems::gripper

@@ -5,36 +5,25 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "cli/actuator_input.hpp"
 #include "cli/model/commands.hpp"
 #include "cli/model/grip/grip_options.hpp"
-#include "coilwright/actuator/cost.hpp"
-#include "coilwright/actuator/demagnetisation.hpp"
-#include "coilwright/actuator/heat.hpp"
 #include "coilwright/formats/systems/grip_json.hpp"
 #include "coilwright/report/systems/grip_text.hpp"
-#include "coilwright/systems/gripper/heat_of_hold.hpp"
 #include "coilwright/text/input_error.hpp"
-#include "coilwright/thermal/steady_state.hpp"
 #include "coilwright/units/angle.hpp"
 
 namespace coilwright::cli {
 namespace {
 
-using systems::gripper::GraspTask;
 using systems::gripper::GripAnswer;
 using systems::gripper::Gripper;
 using systems::gripper::Mounting;
-using systems::gripper::Object;
 using systems::gripper::Polarity;
 
 // In both fingers, unless the command or the file says otherwise: that of the paper's demonstrations, A.
 constexpr double paper_current = 1.4;
-
-// Of coils and magnets while they grip, degC.
-constexpr double cold = 20.0;
 
 // Runs `call`; a rule that it finds broken is reported at `place`.
 template <class Call>
@@ -63,36 +52,17 @@ GripAnswer answer_of(const GripOptions& options) {
                           .spacing = options.spacing * 1e-3,
                           .polarity = options.polarity == "same" ? Polarity::same : Polarity::opposite,
                           .fingers = options.fingers};
-  const Gripper gripper = at_place(options.actuator.file, [&] { return Gripper(design, mounting); });
-  const Object object = object_of(options);
+  (void)at_place(options.actuator.file, [&] { return Gripper(design, mounting); });
   const bool is_of_file = !options.current && file.operating_point;
   const double current = is_of_file ? file.operating_point->current : options.current.value_or(paper_current);
-  const GraspTask task{.current = current, .open_current = options.open_current, .acceleration = options.acceleration};
-  GripAnswer out{.mounting = mounting,
-                 .object = object,
-                 .current = current,
-                 .is_of_file = is_of_file,
-                 .grasp = at_place("--shape, --width-mm, --centre-x-mm, --centre-below-palm-mm",
-                                   [&] { return systems::gripper::grasp(gripper, object, task); })};
-  if (out.grasp.holds) out.tolerance = systems::gripper::placement_tolerance(design, mounting, object, task);
-  out.heat = systems::gripper::heat_of_hold(
-      design, gripper, out.grasp,
-      {.current = current, .supply = file.operating_point ? file.operating_point->supply : actuator::Supply{}});
-  out.cost = actuator::gripper_cost(actuator::cost_of(design, gripper.assembly()).total(), options.fingers);
-  out.burns_from = thermal::current_limits(actuator::heat_network(design, gripper.assembly(), out.grasp.left)).runaway;
-  if (design.magnet.grade != nullptr) {
-    const actuator::InnerFields fields(design, gripper.assembly());
-    out.magnets_cold = fields.demagnetisation(std::vector<double>(design.layout.size(), cold), current);
-    if (out.heat && out.heat->temperatures.size() > 0)
-      out.magnets_held = fields.demagnetisation(
-          {out.heat->temperatures.data(), static_cast<std::size_t>(out.heat->temperatures.size())}, current);
-  }
-  if (options.most_current > 0.0)
-    out.least_current = {.most = options.most_current,
-                         .found = systems::gripper::least_current(gripper, object, task, options.most_current)};
-  if (options.most_friction > 0.0)
-    out.least_friction = {.most = options.most_friction,
-                          .found = systems::gripper::least_friction(gripper, object, task, options.most_friction)};
+  GripAnswer out = at_place("--shape, --width-mm, --centre-x-mm, --centre-below-palm-mm", [&] {
+    return systems::gripper::grip(
+        design, mounting, object_of(options),
+        {.current = current, .open_current = options.open_current, .acceleration = options.acceleration},
+        file.operating_point ? file.operating_point->supply : actuator::Supply{},
+        {.most_current = options.most_current, .most_friction = options.most_friction});
+  });
+  out.is_of_file = is_of_file;
   return out;
 }
 

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "coilwright/magnetics/field.hpp"
+#include "coilwright/magnetics/plate.hpp"
+
+namespace coilwright::magnetics {
+
+/// The field of bodies beside a plate at many points, and where these lie.
+struct FieldPlaces {
+  std::vector<FieldSample> samples{};
+  std::vector<std::size_t> within{};  ///< number of the body that a point lies in, from 1 on; 0 for none
+  std::vector<bool> in_iron{};        ///< behind the face of the plate, where its mirror says nothing
+};
+
+/// Without `gradient` that is 0. Throws as field().
+[[nodiscard]] FieldPlaces field_places(std::span<const Body> bodies, const std::optional<Plate>& plate,
+                                       std::span<const Eigen::Vector3d> points, bool gradient);
+
+}  // namespace coilwright::magnetics

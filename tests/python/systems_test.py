@@ -1,0 +1,119 @@
+import json
+
+import numpy as np
+import pytest
+
+import coilwright as cw
+
+FINGER = "configs/actuators/paper_finger.json"
+CASES = {
+    "linearise": (lambda finger: cw.linearise(finger, 1.4), ["--current-A", 1.4]),
+    "linearise, a current each": (lambda finger: cw.linearise(finger, [1.4, -0.3]), ["--current-A", 1.4, -0.3]),
+    "reach": (lambda finger: cw.reach(finger, 40, pieces=1), ["--angle-deg", 40, "--pieces", 1]),
+    "drive by a bridge": (lambda finger: cw.drive(finger, mean_current=1.2, wiring="series", frequency=300),
+                          ["--mean-A", 1.2, "--wiring", "series", "--frequency-Hz", 300]),
+    "drive by a cell": (lambda finger: cw.drive(finger, duty=0.5, frequency=10, cell_voltage=4.2, cell_capacity_mAh=150,
+                                                coil_temperature_degC=40),
+                        ["--duty", 0.5, "--frequency-Hz", 10, "--cell-voltage-V", 4.2, "--cell-capacity-mAh", 150,
+                         "--coil-temperature-degC", 40]),
+    "grip": (lambda finger: cw.grip(finger, width_mm=60, mass_g=20, friction=0.8, current=1.1),
+             ["--width-mm", 60, "--mass-g", 20, "--friction", 0.8, "--current-A", 1.1]),
+    "grip of a box": (lambda finger: cw.grip(finger, width_mm=60, height_mm=40, mass_g=10, friction=0.9, shape="box"),
+                      ["--width-mm", 60, "--height-mm", 40, "--mass-g", 10, "--friction", 0.9, "--shape", "box"]),
+    "crawl": (lambda finger: cw.crawl(finger, friction_forwards=0.3, friction_backwards=0.6, periods=2,
+                                      settling_periods=1),
+              ["--friction-forwards", 0.3, "--friction-backwards", 0.6, "--periods", 2, "--settling-periods", 1]),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_an_answer_is_that_of_the_command_to_the_digit(case, finger, program):
+    ask, words = CASES[case]
+    assert ask(finger) == json.loads(program(case.split()[0].rstrip(","), FINGER, *words, "--json"))
+
+
+def test_a_yield_is_that_of_the_command_to_the_digit(program):
+    study, design = "configs/studies/robust_finger.json", "results/reference/robust_finger/actuator.json"
+    found = cw.yield_of(cw.Study.load(study), cw.Actuator.load(design), builds=12, seed=3)
+    assert found == json.loads(program("yield", study, design, "--builds", 12, "--seed", 3, "--json", "--quiet"))
+    with pytest.raises(cw.InputError, match='needs the block "spread"'):
+        cw.yield_of(cw.Study.load("configs/studies/fastest_finger.json"), cw.Actuator.load(design))
+
+
+def test_a_field_is_that_of_the_command_to_the_digit(tmp_path, program):
+    bodies = [{"name": "ring", "magnet": {"inner_radius_mm": 2, "outer_radius_mm": 5, "length_mm": 4, "remanence_T": 1.2},
+               "position_mm": [0, 0, 5]},
+              {"name": "coil", "position_mm": [1, 0, 12], "axis": [0, 0.1, 1], "current_A": 2,
+               "coil": {"inner_radius_mm": 5, "outer_radius_mm": 9, "length_mm": 6, "turns_radial": 8, "turns_axial": 20}}]
+    content = {"bodies": bodies, "plate": {"position_mm": [0, 0, -1], "normal": [0, 0, 1], "thickness_mm": 5}}
+    (tmp_path / "pair.json").write_text(json.dumps(content))
+    points = [[0, 0, 8.5], [3, 0, 5], [6, 1, 12], [0, 0, -3]]
+    words = [str(each) for point in points for each in ("--at", *point)]
+    rows = json.loads(program("field", tmp_path / "pair.json", *words, "--gradient", "--json"))["points"]
+    found = cw.field(cw.Pair.from_dict(content), points, gradient=True)
+    assert found.inside == tuple(row["inside"] for row in rows) == (None, "ring", "coil", "plate")
+    assert [list(each) for each in found.flux_density_mT[:3]] == [row["flux_density_mT"] for row in rows[:3]]
+    assert found.gradient_T_m[:3].tolist() == [row["gradient_T_m"] for row in rows[:3]]
+    assert np.isnan(found.flux_density_mT[3]).all()
+
+
+@pytest.mark.parametrize("ask, error", [
+    (lambda finger: cw.drive(finger), "give duty, mean_current or both"),
+    (lambda finger: cw.drive(finger, duty=0.5, cell_voltage=4), "belong together"),
+    (lambda finger: cw.drive(finger, duty=0.5, wiring="star"), "wiring: must be 'parallel' or 'series'; got 'star'"),
+    (lambda finger: cw.grip(finger, width_mm=60, mass_g=1, friction=1, shape="box"), "height_mm"),
+    (lambda finger: cw.reach(finger, 900), "actuator|paper_finger"),
+    (lambda finger: cw.linearise(finger, [1, 2, 3]), "paper_finger"),
+    (lambda finger: cw.crawl(finger, friction_forwards=-1, friction_backwards=1), "paper_finger"),
+])
+def test_what_cannot_be_asked_is_refused(ask, error, finger):
+    with pytest.raises(ValueError, match=error):
+        ask(finger)
+
+
+def test_arrays_of_designs_are_evaluated_as_each_by_itself(finger):
+    gaps, currents = np.meshgrid([0.8, 1.0], [0.7, 1.4, 1e5])
+    found = cw.evaluate_all(finger, {"gap_mm": gaps, "current": currents, "turns_radial": 14}, duty=0.5)
+    one = cw.evaluate(finger.replace(gap_mm=1.0, turns_radial=14), current=1.4, duty=0.5)
+    assert found["steady_angle_deg"][1, 1] == one.steady_angle_deg and found["mass_g"].shape == (3, 2)
+    assert np.isnan(found["grasp_force_N"][2]).all() and np.isnan(found["temperature_ripple_K"][0]).all()
+    assert [reason is None for reason in found["failure"]] == [True] * 4 + [False] * 2
+    assert "does not settle" in found["failure"][5]
+
+
+def test_records_are_loaded_as_they_were_saved(tmp_path, finger):
+    records = cw.twin(finger, "configs/experiments/paper.json")
+    records.save(tmp_path / "set", finger)
+    loaded = cw.Records.load(tmp_path / "set")
+    assert dict(loaded._files) == dict(records._files) and loaded == cw.Records.load(tmp_path / "set/dataset.json")
+    (tmp_path / "set/step_0.35A.csv").write_bytes(b"time_s,current_A,bending_angle_deg\n0,0,0 \xb0\n")
+    cw.Records.load(tmp_path / "set").save(tmp_path / "again")
+    assert (tmp_path / "again/step_0.35A.csv").read_bytes() == (tmp_path / "set/step_0.35A.csv").read_bytes()
+    for content, text in (("{}", "is no data set"), ('{"runs": [{"file": "../a.csv"}]}', "a run")):
+        (tmp_path / "dataset.json").write_text(content)
+        with pytest.raises(cw.InputError, match=text):
+            cw.Records.load(tmp_path)
+
+
+def test_plots_take_the_keywords_of_matplotlib(finger):
+    pytest.importorskip("matplotlib")
+    axes = cw.simulate(finger, step=1.0, duration=0.05).plot(color="red", label="step")
+    assert axes.lines[0].get_color() == "red" and axes.lines[0].get_label() == "step"
+
+
+def test_a_posterior_of_memory_stands_for_the_file_that_a_spread_names():
+    path, design = "configs/studies/undeclared_robust.json", "results/reference/undeclared_robust/actuator.json"
+    with open("results/reference/undeclared_effect/diagnosis.json", encoding="utf-8") as file:
+        text = file.read()
+    finger = cw.Actuator.load(design)
+    of_memory = cw.Study.load(path, posterior=_Diagnosed(text))
+    assert cw.yield_of(of_memory, finger, builds=10) == cw.yield_of(cw.Study.load(path), finger, builds=10)
+    with pytest.raises(cw.InputError, match="posterior"):
+        cw.Study.load(path, posterior=_Diagnosed("{}"))
+
+
+class _Diagnosed:
+    """As far as a study knows a Diagnosis: one takes minutes to make."""
+
+    def __init__(self, text):
+        self._core = type("Core", (), {"json": text})

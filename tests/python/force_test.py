@@ -50,3 +50,14 @@ def test_magnets_in_one_place_are_refused():
                                           {"name": "b", "magnet": CUBE, "position_mm": [0, 0, 20]}]})
     with pytest.raises(cw.InputError, match="pair: must have a and b apart: in pose 1 they are in the same place"):
         cw.force(cubes, [[0, 0, 20], [0, 0, 3]])
+
+
+@pytest.mark.parametrize("inner", [0.3, 1, 5, 7.3, 19.95])
+def test_a_wall_of_the_least_thickness_is_one(inner):
+    """5.05 - 5 is less than 0.05 in binary."""
+    outer = round(inner + 0.05, 6)
+    pair(coil={**COIL, "inner_radius_mm": inner, "outer_radius_mm": outer})
+    cw.Pair.from_dict({"bodies": [{"magnet": {"inner_radius_mm": inner, "outer_radius_mm": outer, "length_mm": 3,
+                                              "remanence_T": 1.2}, "position_mm": [0, 0, 0]}]})
+    with pytest.raises(cw.InputError, match="by at least 0.05"):
+        pair(coil={**COIL, "inner_radius_mm": inner, "outer_radius_mm": round(inner + 0.0499, 6)})

@@ -60,7 +60,7 @@ void read_x_axis(ObjectReader& in, Pose& pose) {
 
 double read_ring_radius(ObjectReader& in, double inner) {
   const double outer = in.quantity("outer_radius_mm", outer_dimension);
-  if (outer - inner < actuator::shortest_length)
+  if (is_thinner_than_any(outer - inner))
     throw in.at("outer_radius_mm")
         .error(fmt::format("must exceed inner_radius_mm ({}) by at least {}", in.number("inner_radius_mm"),
                            part_dimension.lower()));

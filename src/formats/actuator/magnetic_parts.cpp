@@ -32,7 +32,7 @@ ThickCoil::Spec read_coil(const Node& node, CurrentDistribution winding) {
       throw in.at("outer_radius_mm")
           .error(fmt::format("must exceed inner_radius_mm ({})", in.number("inner_radius_mm")));
     // A wall thinner than any wire, or than what a double can tell from none.
-    if (spec.outer_radius - spec.inner_radius < actuator::shortest_length)
+    if (is_thinner_than_any(spec.outer_radius - spec.inner_radius))
       throw in.at("outer_radius_mm")
           .error(fmt::format("must exceed inner_radius_mm ({}) by at least {}", in.number("inner_radius_mm"),
                              part_dimension.lower()));

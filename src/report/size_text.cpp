@@ -83,9 +83,9 @@ std::string pulses_line(const Study& study, const EvaluatedDesign& best) {
         text(study.driver->thermal_load));
   }
   if (std::holds_alternative<DrivenCurrent>(study.current) || !has_one_current(best.design)) return {};
-  static constexpr systems::DriverTask usual{.voltage = 24.0};
+  const systems::DriverTask usual{.voltage = best.point.supply.voltage.value_or(24.0)};
   const simulation::QuantityTable of_driver(
-      systems::driver_quantities([](const simulation::Settings&) { return usual; }));
+      systems::driver_quantities([&usual](const simulation::Settings&) { return usual; }));
   const std::optional<double> heat = of_driver.at("driver_ripple_heat_pct").value(best.view());
   constexpr double worth_a_line = 5.0;  // per cent, from which `drive` warns
   if (!heat || *heat < worth_a_line) return {};

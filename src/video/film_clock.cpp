@@ -72,7 +72,7 @@ bool is_known_to_two_pictures(const Moment& moment, double interval) {
   return moment.sigma <= std::hypot(1.0, most / std::sqrt(3.0)) * interval;
 }
 
-std::optional<Moment> led_lit(const TrackedFilm& film, const FingerMotion& motion, double row) {
+std::optional<Moment> led_lit(const TrackedFilm& film, const FingerMotion& motion, const Place& led) {
   // No structured binding: Clang 14 does not let a lambda take one.
   const auto ends = std::ranges::minmax(film.frames, {}, &Frame::led);
   const double low = ends.min.led, high = ends.max.led;
@@ -82,7 +82,7 @@ std::optional<Moment> led_lit(const TrackedFilm& film, const FingerMotion& motio
   const auto share = [&](const Frame& frame) { return (frame.led - low) / (high - low); };
   const auto lit = std::ranges::find_if(film.frames, [&](const Frame& frame) { return share(frame) > 0.1; });
   if (lit == film.frames.begin()) return std::nullopt;
-  const double later = motion.readout.value * (row / film.height - 0.5);
+  const double later = motion.readout.value * share_of_readout(film, led);
   const double exposure = motion.exposure.value;
   // A picture that it lit in part tells when; otherwise it was between two exposures.
   const double partly = share(*lit);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -38,8 +39,8 @@ CameraEstimate significant(double value, double sigma) {
 CameraEstimate readout_of(const TrackedFilm& film, const CameraKnowledge& camera,
                           std::span<const std::vector<SeriesEntry>> series) {
   if (camera.readout) return {.value = *camera.readout};
-  const LastCoefficient row = row_time_of(series);
-  return significant(row.value * film.height, row.sigma * film.height);
+  const LastCoefficient row = row_time_of(series, direction_of_rows(film));
+  return significant(row.value * rows_of(film), row.sigma * rows_of(film));
 }
 
 CameraEstimate exposure_of(const CameraKnowledge& camera, std::span<const std::vector<SeriesEntry>> series) {
@@ -68,13 +69,13 @@ void require_tags(const TrackedFilm& film, const std::vector<int>& ids) {
 }
 
 // Angle of each entry on the container's clock, not yet against the base.
-std::vector<AngleSample> angles_of(const std::vector<SeriesEntry>& series, std::span<const TagView> views,
-                                   const PlaneView& plane, double row_time, double middle_row) {
+std::vector<AngleSample> angles_of(const TrackedFilm& film, const std::vector<SeriesEntry>& series,
+                                   std::span<const TagView> views, const PlaneView& plane, double readout) {
   std::vector<AngleSample> out;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const double angle = std::arg(ComplexMap(plane.shape(views[i])).alike);
     out.push_back(
-        {.time = series[i].time + row_time * (series[i].sighting->centre.y() - middle_row),
+        {.time = series[i].time + readout * share_of_readout(film, series[i].sighting->centre),
          .angle = out.empty() ? angle : out.back().angle + std::remainder(angle - out.back().angle, 2.0 * M_PI),
          .sigma = series[i].sighting->sigma});
   }
@@ -123,6 +124,52 @@ std::vector<AngleSample> against(const Base& base, std::vector<AngleSample> samp
   return samples;
 }
 
+using Tags = std::vector<TagMotion>;
+
+// The tags but the base, once the camera is turned onto the normal of their plane.
+Tags turned_onto(const PlaneView& plane, std::span<const std::vector<TagView>> views, const TrackedFilm& film,
+                 std::span<const int> ids, std::span<const std::vector<SeriesEntry>> series, double readout) {
+  const Base base(angles_of(film, series.front(), views.front(), plane, readout));
+  Tags out;
+  for (std::size_t k = 1; k < ids.size(); ++k)
+    out.push_back({.id = ids[k], .samples = against(base, angles_of(film, series[k], views[k], plane, readout))});
+  return out;
+}
+
+// What a lens makes of the film: the tags, and as they are if the plane leans the other way, which it may.
+struct SeenTags {
+  Tags tags{};
+  std::optional<Tags> otherwise{};
+  double tilt{};
+};
+
+SeenTags seen_through(const Lens& lens, const TrackedFilm& film, std::span<const int> ids,
+                      std::span<const std::vector<SeriesEntry>> series, double readout) {
+  std::vector<std::vector<TagView>> views;
+  for (const auto& each : series) {
+    views.emplace_back();
+    for (const SeriesEntry& entry : each)
+      views.back().push_back(view_of(lens, entry.sighting->centre,
+                                     without_rolling(entry, readout / rows_of(film), direction_of_rows(film))));
+  }
+  const FittedPlane fitted = fit_plane(views);
+  SeenTags out{.tags = turned_onto(fitted.plane, views, film, ids, series, readout), .tilt = fitted.plane.tilt()};
+  if (fitted.rival) out.otherwise = turned_onto(*fitted.rival, views, film, ids, series, readout);
+  return out;
+}
+
+// The largest mean difference of a tag's angle, rad.
+double mean_difference(const Tags& one, const Tags& other) {
+  double most = 0.0;
+  for (std::size_t k = 0; k < other.size(); ++k) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < other[k].samples.size(); ++i)
+      sum += one[k].samples[i].angle - other[k].samples[i].angle;
+    most = std::max(most, std::abs(sum) / static_cast<double>(other[k].samples.size()));
+  }
+  return most;
+}
+
 }  // namespace
 
 FingerMotion finger_motion(const TrackedFilm& film, const CameraKnowledge& camera) {
@@ -135,23 +182,20 @@ FingerMotion finger_motion(const TrackedFilm& film, const CameraKnowledge& camer
   FingerMotion out{.interval = container_interval * time_scale, .time_scale = time_scale};
   out.readout = readout_of(film, camera, series);
   out.exposure = exposure_of(camera, series);
-  const double row_time = out.readout.value / film.height;
   const Lens lens = camera.lens ? *camera.lens : usual_lens(film.width, film.height);
-  std::vector<TagView> views;
-  for (const auto& each : series)
-    for (const SeriesEntry& entry : each)
-      views.push_back(view_of(lens, entry.sighting->centre, without_rolling(entry, row_time)));
-  const PlaneView plane = fit_plane(views);
-  out.tilt = plane.tilt();
-  std::vector<std::vector<AngleSample>> angles;
-  std::span<const TagView> rest = views;
-  for (const auto& each : series) {
-    angles.push_back(angles_of(each, rest.first(each.size()), plane, row_time, 0.5 * (film.height - 1)));
-    rest = rest.subspan(each.size());
+  SeenTags seen = seen_through(lens, film, ids, series, out.readout.value);
+  out.tags = std::move(seen.tags);
+  out.tilt = seen.tilt;
+  if (seen.otherwise) out.view_bias = mean_difference(*seen.otherwise, out.tags);
+  // From a lens of twice the usual length to a wide one.
+  constexpr double degree = M_PI / 180.0;
+  constexpr std::array other_views{35.0 * degree, 85.0 * degree};
+  for (const double view : other_views) {
+    if (camera.lens) break;
+    const Lens other = plain_lens(film.width, film.height, view);
+    const SeenTags through = seen_through(other, film, ids, series, out.readout.value);
+    out.view_bias = std::max(out.view_bias, mean_difference(through.tags, out.tags));
   }
-  const Base base(std::move(angles.front()));
-  for (std::size_t k = 1; k < ids.size(); ++k)
-    out.tags.push_back({.id = ids[k], .samples = against(base, std::move(angles[k]))});
   return out;
 }
 

@@ -20,13 +20,17 @@ Eigen::Vector2d distorted(const Lens& lens, const Eigen::Vector2d& ray) {
 
 }  // namespace
 
-Lens usual_lens(int width, int height) {
-  const double focal = 0.5 * std::max(width, height) / std::tan(0.5 * 65.0 * std::numbers::pi / 180.0);
+Lens plain_lens(int width, int height, double view) {
+  const double focal = 0.5 * std::max(width, height) / std::tan(0.5 * view);
   return {.width = width,
           .height = height,
           .focal = {focal, focal},
           .centre = {0.5 * (width - 1), 0.5 * (height - 1)},
           .distortion = {}};
+}
+
+Lens usual_lens(int width, int height) {
+  return plain_lens(width, height, 65.0 * std::numbers::pi / 180.0);
 }
 
 Eigen::Vector2d undistorted(const Lens& lens, const Place& place) {

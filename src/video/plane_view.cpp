@@ -64,6 +64,23 @@ Descent descend(Eigen::Vector2d tilt, std::span<const TagView> views) {
   return {.tilt = tilt, .cost = cost};
 }
 
+// Sum of the squares of relative sizes about the mean of their tag, which is as large as its noise like that of skews.
+double spread_of_sizes(const Eigen::Vector2d& tilt, std::span<const std::vector<TagView>> tags) {
+  const PlaneView plane(tilt);
+  double out = 0.0;
+  for (const auto& views : tags) {
+    double sum = 0.0;
+    double squares = 0.0;
+    for (const TagView& view : views) {
+      const double size = 0.5 * std::log(std::abs(plane.shape(view).determinant()));
+      sum += size;
+      squares += size * size;
+    }
+    out += squares - sum * sum / static_cast<double>(std::max<std::size_t>(1, views.size()));
+  }
+  return out;
+}
+
 }  // namespace
 
 TagView view_of(const Lens& lens, const Place& centre, const Eigen::Matrix2d& shape) {
@@ -81,16 +98,25 @@ Eigen::Matrix2d PlaneView::shape(const TagView& view) const {
   return (slope.topRows<2>() - ray.head<2>() / ray.z() * slope.row(2)) / ray.z();
 }
 
-// Skew grows with the square of the tilt, and tells its direction but for half a turn: perspective decides.
-PlaneView fit_plane(std::span<const TagView> views) {
+// Skew grows with the square of the tilt, and tells its direction but for half a turn: perspective decides, which
+// changes the size of a tag that moves more than its skew.
+FittedPlane fit_plane(std::span<const std::vector<TagView>> tags) {
+  std::vector<TagView> views;
+  for (const auto& each : tags) views.insert(views.end(), each.begin(), each.end());
   Complex mean = 0.0;
   for (const TagView& view : views) mean += ComplexMap(view.slope).skew() / static_cast<double>(views.size());
   const double tilt = 2.0 * std::sqrt(std::min(std::abs(mean), 0.2));
   const double direction = 0.5 * std::arg(mean);
   const Eigen::Vector2d start = tilt * Eigen::Vector2d(std::cos(direction), std::sin(direction));
-  const Descent one = descend(start, views);
-  const Descent other = descend(-start, views);
-  return PlaneView(one.cost <= other.cost ? one.tilt : other.tilt);
+  Descent one = descend(start, views);
+  Descent other = descend(-start, views);
+  for (Descent* each : {&one, &other}) each->cost += spread_of_sizes(each->tilt, tags);
+  if (one.cost > other.cost) std::swap(one, other);
+  constexpr double apart = 1.5;
+  const double unseen = 1e-8 * static_cast<double>(views.size());  // a ten-thousandth of skew each
+  FittedPlane out{.plane = PlaneView(one.tilt)};
+  if (one.tilt.dot(other.tilt) < 0.0 && other.cost < apart * one.cost + unseen) out.rival = PlaneView(other.tilt);
+  return out;
 }
 
 }  // namespace coilwright::video

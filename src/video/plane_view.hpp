@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "coilwright/video/lens.hpp"
 
@@ -29,7 +31,15 @@ class PlaneView {
   Eigen::Matrix3d turn_;
 };
 
-/// The plane in which all tags are squares, as well as they can be, by least squares.
-[[nodiscard]] PlaneView fit_plane(std::span<const TagView> views);
+/// A plane as views of tags show it.
+struct FittedPlane {
+  PlaneView plane;
+  /// The plane that leans the other way, where the views do not tell the two apart.
+  std::optional<PlaneView> rival{};
+};
+
+/// The plane in which all tags are squares, as well as they can be, by least squares. Of the two that lean by as much
+/// to either side, the one in which each tag keeps its size wherever it is. `tags`: the views of each.
+[[nodiscard]] FittedPlane fit_plane(std::span<const std::vector<TagView>> tags);
 
 }  // namespace coilwright::video

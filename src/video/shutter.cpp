@@ -13,10 +13,10 @@ std::size_t count_of(std::span<const std::vector<SeriesEntry>> series) {
 
 }  // namespace
 
-// Within a tag that moves by v a second, a row dy further down is drawn v t dy further: J is seen as (1 + V)J with
-// V = t (0, v_x; 0, v_y). As a map of complex numbers V z = t v (z - conj z)/2i, so that a square has the skew -t v/2i,
-// beside that of a camera out of the normal, which is linear over the picture.
-LastCoefficient row_time_of(std::span<const std::vector<SeriesEntry>> series) {
+// Within a tag that moves by v a second, a row further by s along the direction d of the rows is drawn v t s further: J
+// is seen as (1 + V)J with V = t v d^T. As a map of complex numbers V z = t v (conj(d) z + d conj(z))/2, so that a
+// square has the skew t v d/2, beside that of a camera out of the normal, which is linear over the picture.
+LastCoefficient row_time_of(std::span<const std::vector<SeriesEntry>> series, const Place& rows) {
   constexpr Eigen::Index columns = 7;
   const auto count = static_cast<Eigen::Index>(count_of(series));
   if (2 * count < 4 * columns) return {};
@@ -28,7 +28,7 @@ LastCoefficient row_time_of(std::span<const std::vector<SeriesEntry>> series) {
       const std::complex<double> skew = ComplexMap(entry.sighting->shape).skew();
       const Place place = 1e-3 * entry.sighting->centre;
       const std::complex<double> by_row_time =
-          std::complex<double>(0.0, 0.5) * std::complex<double>(entry.velocity.x(), entry.velocity.y());
+          0.5 * std::complex<double>(rows.x(), rows.y()) * std::complex<double>(entry.velocity.x(), entry.velocity.y());
       for (Eigen::Index part = 0; part < 2; ++part, ++row) {
         terms.row(row).segment<3>(3 * part) << 1.0, place.x(), place.y();
         terms(row, columns - 1) = part == 0 ? by_row_time.real() : by_row_time.imag();
@@ -64,9 +64,8 @@ LastCoefficient squared_exposure_of(std::span<const std::vector<SeriesEntry>> se
   return {.value = scaled.value / size, .sigma = scaled.sigma / size};
 }
 
-Eigen::Matrix2d without_rolling(const SeriesEntry& entry, double row_time) {
-  Eigen::Matrix2d rolling = Eigen::Matrix2d::Zero();
-  rolling.col(1) = row_time * entry.velocity;
+Eigen::Matrix2d without_rolling(const SeriesEntry& entry, double row_time, const Place& rows) {
+  const Eigen::Matrix2d rolling = row_time * entry.velocity * rows.transpose();
   return (Eigen::Matrix2d::Identity() - rolling) * entry.sighting->shape;
 }
 

@@ -110,7 +110,12 @@ class FilmTracker {
   TrackedFilm track() {
     const auto source = vision_.open(film_.file);
     Picture picture;
+    film_.quarter_turns = source->quarter_turns();
     while (source->next(picture)) {
+      if (std::isnan(picture.time)) {
+        ++film_.unstamped;
+        continue;
+      }
       take(picture);
       std::swap(picture.grey, last_);
       last_time_ = picture.time;
@@ -210,6 +215,21 @@ class FilmTracker {
 };
 
 }  // namespace
+
+// Of the sensor downwards; a picture that was turned clockwise has it to the left.
+Place direction_of_rows(const TrackedFilm& film) {
+  const std::array<Place, 4> turned{Place(0.0, 1.0), Place(-1.0, 0.0), Place(0.0, -1.0), Place(1.0, 0.0)};
+  return turned.at(static_cast<std::size_t>(film.quarter_turns));
+}
+
+int rows_of(const TrackedFilm& film) {
+  return film.quarter_turns % 2 == 0 ? film.height : film.width;
+}
+
+double share_of_readout(const TrackedFilm& film, const Place& place) {
+  const Place middle = 0.5 * Place(film.width - 1, film.height - 1);
+  return direction_of_rows(film).dot(place - middle) / rows_of(film);
+}
 
 TrackedFilm track_film(const Vision& vision, const std::filesystem::path& file, const TrackRequest& request) {
   try {

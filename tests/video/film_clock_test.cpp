@@ -162,7 +162,7 @@ TEST(FilmClock, TellsALedThatIsLitDuringAnExposure) {
   for (int i = 0; i < 20; ++i)
     film.frames.push_back({.time = i * interval, .led = i < 7 ? 20.0 : (i == 7 ? 80.0 : 220.0)});
   const FingerMotion motion{.interval = interval, .readout = {.value = 0.01}, .exposure = {.value = 4e-3}};
-  const auto lit = led_lit(film, motion, 120.0);
+  const auto lit = led_lit(film, motion, Place(300.0, 119.5));
   ASSERT_TRUE(lit);
   // 30 % of an exposure of 4 ms: 0.2 of it after the middle; row 120 of 480 is exposed a quarter of 10 ms before that.
   EXPECT_NEAR(lit->time, 7 * interval + 0.2 * 4e-3 - 0.25 * 0.01, 1e-9);
@@ -172,7 +172,7 @@ TEST(FilmClock, StatesHowWellALedIsKnownThatIsLitWherePicturesAreMissing) {
   TrackedFilm film{.width = 640, .height = 480};
   for (int i = 0; i < 20; ++i)
     if (i < 7 || i > 9) film.frames.push_back({.time = i * interval, .led = i < 9 ? 20.0 : 220.0});
-  const auto lit = led_lit(film, {.interval = interval}, 240.0);
+  const auto lit = led_lit(film, {.interval = interval}, Place(300.0, 239.5));
   ASSERT_TRUE(lit);
   EXPECT_NEAR(lit->time, 8.0 * interval, 1e-9);
   EXPECT_NEAR(lit->sigma, 4.0 * interval / std::sqrt(12.0), 1e-9);  // anywhere between pictures 6 and 10
@@ -181,7 +181,7 @@ TEST(FilmClock, StatesHowWellALedIsKnownThatIsLitWherePicturesAreMissing) {
 TEST(FilmClock, SeesNoLedWhoseLightDoesNotChange) {
   TrackedFilm film{.width = 640, .height = 480};
   for (int i = 0; i < 20; ++i) film.frames.push_back({.time = i * interval, .led = 100.0 + i % 3});
-  EXPECT_FALSE(led_lit(film, {.interval = interval}, 120.0));
+  EXPECT_FALSE(led_lit(film, {.interval = interval}, Place(300.0, 119.5)));
 }
 
 }  // namespace

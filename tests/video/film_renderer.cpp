@@ -254,12 +254,24 @@ std::vector<std::uint8_t> Renderer::render(double time, int number) {
   std::mt19937_64 random(scene_.seed * 1000003U + static_cast<std::uint64_t>(number));
   std::normal_distribution<float> normal;
   std::vector<std::uint8_t> out;
-  std::vector<std::array<Body, 2>> bodies(samples.size());
+  // The rows of the sensor: columns of the picture, the last one first, where it was turned clockwise.
+  const bool upright = scene_.quarter_turns % 2 != 0;
+  const int rows = upright ? scene_.width : scene_.height;
+  std::vector<double> row_times;
+  std::vector<std::vector<std::array<Body, 2>>> bodies_of_rows;
+  for (int row = 0; row < rows; ++row) {
+    row_times.push_back(time + scene_.readout * (row - 0.5 * (rows - 1)) / rows);
+    auto& bodies = bodies_of_rows.emplace_back();
+    for (const Sample& sample : samples)
+      bodies.push_back(segments_of(scene_, motion_.at(row_times.back() + sample.dt * scene_.exposure)));
+  }
   for (int y = 0; y < scene_.height; ++y) {
-    const double row_time = time + scene_.readout * (y - 0.5 * (scene_.height - 1)) / scene_.height;
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      bodies[i] = segments_of(scene_, motion_.at(row_time + samples[i].dt * scene_.exposure));
     for (int x = 0; x < scene_.width; ++x) {
+      const int along = upright ? x : y;
+      const bool backwards = scene_.quarter_turns == 1 || scene_.quarter_turns == 2;
+      const auto row = static_cast<std::size_t>(backwards ? rows - 1 - along : along);
+      const double row_time = row_times[row];
+      const std::vector<std::array<Body, 2>>& bodies = bodies_of_rows[row];
       const std::size_t pixel = out.size();
       double light = still_[pixel];
       if (!scene_.board && is_near(bodies, {seen_[pixel][0], seen_[pixel][1]}))

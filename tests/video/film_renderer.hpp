@@ -28,7 +28,8 @@ struct Scene {
   double rate = 240.0;                         ///< frames a second
   double duration = 1.0;                       ///< s
   double exposure = 1e-3;                      ///< s
-  double readout = 0.0;                        ///< s, from the first row to the last
+  double readout = 0.0;                        ///< s, from the sensor's first row to its last
+  int quarter_turns = 0;                       ///< clockwise, of the picture against the sensor
   double optics = 0.6;                         ///< px, standard deviation of the blur of the lens
   double white = 200.0;                        ///< grey of paper
   double noise = 2.0;                          ///< grey, standard deviation at white; falls with the root of the light

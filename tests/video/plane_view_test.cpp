@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <vector>
@@ -45,12 +46,29 @@ Tilted tilted_tags() {
 }
 
 TEST(PlaneView, FindsTheTiltOfThePlane) {
-  EXPECT_NEAR(fit_plane(tilted_tags().views).tilt(), 0.17, 1e-6);
+  const FittedPlane found = fit_plane(std::array{tilted_tags().views});
+  EXPECT_NEAR(found.plane.tilt(), 0.17, 1e-6);
+  EXPECT_FALSE(found.rival);
+}
+
+// A tag on the optical axis that only turns is seen alike from either side.
+TEST(PlaneView, NamesTheOtherPlaneWhereTagsDoNotTell) {
+  std::vector<TagView> views;
+  for (TagView each : tilted_tags().views) {
+    each.slope = Eigen::AngleAxisd(0.17, Eigen::Vector3d(0.6, 0.8, 0.0)).toRotationMatrix().topLeftCorner<2, 2>() *
+                 Eigen::Rotation2Dd(static_cast<double>(views.size())).toRotationMatrix();
+    each.ray.setZero();
+    views.push_back(each);
+  }
+  const FittedPlane found = fit_plane(std::array{views});
+  EXPECT_NEAR(found.plane.tilt(), 0.17, 1e-4);
+  ASSERT_TRUE(found.rival);
+  EXPECT_NEAR(found.rival->tilt(), 0.17, 1e-4);
 }
 
 TEST(PlaneView, GivesTurnsAsTheyAreInThePlane) {
   const Tilted tags = tilted_tags();
-  const PlaneView plane = fit_plane(tags.views);
+  const PlaneView plane = fit_plane(std::array{tags.views}).plane;
   const auto angle = [&](std::size_t i) { return std::arg(ComplexMap(plane.shape(tags.views[i])).alike); };
   const auto uncorrected = [&](std::size_t i) { return std::arg(ComplexMap(tags.views[i].slope).alike); };
   double largest = 0.0;

@@ -63,6 +63,7 @@ film::Scene scene_of(const json& from) {
   take(from, "rate", out.rate);
   take(from, "exposure", out.exposure);
   take(from, "readout", out.readout);
+  take(from, "quarter_turns", out.quarter_turns);
   take(from, "optics", out.optics);
   take(from, "white", out.white);
   take(from, "noise", out.noise);

@@ -27,8 +27,8 @@ struct Moment {
 /// side of it, with an interval for what no picture shows.
 [[nodiscard]] bool is_known_to_two_pictures(const Moment& moment, double interval);
 
-/// When the LED is first lit; nothing where its light does not change by 25 grey. `row` is where it is. Pictures that
-/// are not there enter `sigma`.
-[[nodiscard]] std::optional<Moment> led_lit(const TrackedFilm& film, const FingerMotion& motion, double row);
+/// When the LED is first lit; nothing where its light does not change by 25 grey. `led` is where it is, px. Pictures
+/// that are not there enter `sigma`.
+[[nodiscard]] std::optional<Moment> led_lit(const TrackedFilm& film, const FingerMotion& motion, const Place& led);
 
 }  // namespace coilwright::video

@@ -43,6 +43,9 @@ struct FingerMotion {
   CameraEstimate readout{};
   CameraEstimate exposure{};
   double tilt{};  ///< rad, of the optical axis from the normal of the plane of motion
+  /// By how much the mean angle of a tag may be off, rad: as a lens that was not given may see 35 to 85 degrees over
+  /// the longer side of the picture, and as the film may not tell to which side the plane leans.
+  double view_bias{};
 };
 
 /// Throws text::InputError where the film has no base or no other tag, or too few pictures.

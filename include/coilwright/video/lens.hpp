@@ -16,8 +16,10 @@ struct Lens {
   std::array<double, 5> distortion{};  ///< k1, k2, p1, p2, k3
 };
 
-/// A lens that does not distort, of a phone's usual angle of view (65 degrees over the longer side), for pictures
-/// of this size: what is taken where none was calibrated.
+/// A lens that does not distort and sees `view`, rad, over the longer side of pictures of this size.
+[[nodiscard]] Lens plain_lens(int width, int height, double view);
+
+/// One of a phone's usual angle of view, 65 degrees: what is taken where none was calibrated.
 [[nodiscard]] Lens usual_lens(int width, int height);
 
 /// The direction (x, y, 1) of the ray that the lens draws at `place`.

@@ -35,10 +35,20 @@ struct TrackedFilm {
   std::string file{};
   int width{};
   int height{};
-  std::size_t pictures{};  ///< decoded
-  std::size_t doubled{};   ///< that show the picture before once more, and are left out
+  std::size_t pictures{};   ///< decoded
+  std::size_t doubled{};    ///< that show the picture before once more, and are left out
+  std::size_t unstamped{};  ///< that have no time stamp, and are left out: the last ones of some films
+  /// Clockwise turn of the pictures against the camera's sensor, in quarters, 0 to 3.
+  int quarter_turns{};
   std::vector<Frame> frames{};
 };
+
+/// The direction in a picture, a unit vector, in which the sensor's rows follow each other, first to last.
+[[nodiscard]] Place direction_of_rows(const TrackedFilm& film);
+/// How many rows the sensor has of a film.
+[[nodiscard]] int rows_of(const TrackedFilm& film);
+/// How far after the middle row a place is exposed, as a share of the time in which all rows are read out, -0.5 to 0.5.
+[[nodiscard]] double share_of_readout(const TrackedFilm& film, const Place& place);
 
 /// What to look for.
 struct TrackRequest {

@@ -16,8 +16,12 @@ namespace coilwright::video {
 class PictureSource {
  public:
   virtual ~PictureSource() = default;
-  /// Decodes the next one into `picture`; false after the last, and where the file is damaged.
+  /// Decodes the next one into `picture`; false after the last, and where the file is damaged. The time of one that has
+  /// no stamp is no number.
   [[nodiscard]] virtual bool next(Picture& picture) = 0;
+  /// How far the container says that a player has to turn what the camera's sensor read, clockwise; the pictures are
+  /// turned so already. Quarter turns, 0 to 3.
+  [[nodiscard]] virtual int quarter_turns() const = 0;
 };
 
 /// A calibrated lens and how well it explains what it was calibrated with.

@@ -84,6 +84,26 @@ bool repeat_each_other(const std::vector<double>& values) {
   return 0.5 * differences < 0.25 * squares;
 }
 
+// Standard deviation about the mean.
+double scatter_of(const std::vector<double>& values) {
+  double sum = 0.0, squares = 0.0;
+  for (const double value : values) sum += value;
+  const double mean = sum / static_cast<double>(values.size());
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return std::sqrt(squares / static_cast<double>(values.size()));
+}
+
+// Noise of readings from one to the next: the middle size of their third differences, to which a motion that is seen
+// often adds little; of noise alone these have 20 times its variance, and 0.6745 of a deviation as their middle size.
+double noise_of(const std::vector<double>& values) {
+  std::vector<double> sizes;
+  for (std::size_t i = 3; i < values.size(); ++i)
+    sizes.push_back(std::abs(values[i] - 3.0 * values[i - 1] + 3.0 * values[i - 2] - values[i - 3]));
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::ranges::nth_element(sizes, middle);
+  return *middle / (0.6745 * std::sqrt(20.0));
+}
+
 // Keeps the samples from `first` to before `last`.
 void keep(Run& run, std::vector<double>& sigmas, std::size_t first, std::size_t last) {
   const auto cut = [&](std::vector<double>& values) {
@@ -117,8 +137,14 @@ void add_still(FilmRuns& out, const FingerMotion& motion, const std::string& nam
   still.kind = RunKind::still;
   keep(still, sigmas, 0, count);
   // Compression holds a picture in which nothing moves, with its errors, from one to the next: that is not the noise of
-  // a motion.
-  if (repeat_each_other(still.channels.front().values)) {
+  // a motion, by which a rest scatters as the motion does beside its course.
+  const std::vector<double>& readings = out.motion.channels.front().values;
+  const std::vector<double> moving(readings.begin() + static_cast<std::ptrdiff_t>(count), readings.end());
+  constexpr double shows_noise = 0.5;
+  const double stated = rms(out.sigmas);
+  const double deviation = moving.size() < fewest ? stated : std::min(stated, noise_of(moving));
+  if (const std::vector<double>& resting = still.channels.front().values;
+      repeat_each_other(resting) || scatter_of(resting) < shows_noise * deviation) {
     out.why_no_still =
         "compression has smoothed the pictures before it moves: they do not show the noise, and are no still run";
     return;
@@ -141,18 +167,18 @@ double first_step_of(const simulation::CommandedInput& log, const std::string& f
 }
 
 void take_log(FilmRuns& out, const video::TrackedFilm& film, const FingerMotion& motion,
-              const simulation::CommandedInput& log, std::optional<double> led_row) {
+              const simulation::CommandedInput& log, const std::optional<video::Place>& led) {
   const double step = first_step_of(log, film.file);
   std::optional<Moment> begins;
-  if (led_row) begins = video::led_lit(film, motion, *led_row);
-  if (led_row && !begins)
+  if (led) begins = video::led_lit(film, motion, *led);
+  if (led && !begins)
     throw text::InputError({.file = film.file,
                             .place = "",
                             .rule = "must show the LED being lit at the place that --led names; its light "
                                     "does not change",
                             .value = ""});
   for (const video::TagMotion& tag : motion.tags) {
-    if (led_row) break;
+    if (led) break;
     const auto onset = video::onset_of(tag.samples, motion.interval);
     if (onset && (!begins || onset->sigma < begins->sigma)) begins = onset;
   }
@@ -169,8 +195,8 @@ void take_log(FilmRuns& out, const video::TrackedFilm& film, const FingerMotion&
          .rule = fmt::format("must show to two pictures, {:.2g} s, when {}; pictures there that are noisy, doubled, "
                              "missing or not read "
                              "leave it open: film it again with more light and a shorter exposure{}",
-                             2.0 * motion.interval, led_row ? "the LED is lit" : "the finger begins to move",
-                             led_row ? "" : ", or with an LED that is lit with the step (--led X,Y)"),
+                             2.0 * motion.interval, led ? "the LED is lit" : "the finger begins to move",
+                             led ? "" : ", or with an LED that is lit with the step (--led X,Y)"),
          .value = fmt::format("{:.2g} s", begins->sigma)});
   Run& run = out.motion;
   run.drive = log.drive;
@@ -191,7 +217,7 @@ void take_log(FilmRuns& out, const video::TrackedFilm& film, const FingerMotion&
                             .value = std::to_string(std::max<std::ptrdiff_t>(0, last - first))});
   keep(run, out.sigmas, static_cast<std::size_t>(first), static_cast<std::size_t>(last));
   out.clock = fmt::format("the log's first step, at {:.4g} s, is where {}, to {:.2g} s", step,
-                          led_row ? "the LED is lit" : "the finger begins to move", begins->sigma);
+                          led ? "the LED is lit" : "the finger begins to move", begins->sigma);
 }
 
 }  // namespace
@@ -213,7 +239,7 @@ std::vector<double> first_angles(const FingerMotion& motion, OpeningSense opens)
 
 FilmRuns film_runs(const std::string& name, const video::TrackedFilm& film, const FingerMotion& motion,
                    OpeningSense opens, const std::vector<double>& offsets,
-                   const std::optional<simulation::CommandedInput>& log, std::optional<double> led_row) {
+                   const std::optional<simulation::CommandedInput>& log, const std::optional<video::Place>& led) {
   Table table = table_of(motion, opens);
   constexpr std::size_t fewest = 10;
   if (table.times.size() < fewest)
@@ -232,7 +258,7 @@ FilmRuns film_runs(const std::string& name, const video::TrackedFilm& film, cons
   out.motion.channels = channels_of(table);
   out.motion.clock.exposure = motion.exposure.value;
   add_still(out, motion, name);
-  if (log) take_log(out, film, motion, *log, led_row);
+  if (log) take_log(out, film, motion, *log, led);
   out.motion.sigma = rms(out.sigmas);
   return out;
 }

@@ -35,10 +35,12 @@ struct FilmRuns {
 [[nodiscard]] std::vector<double> first_angles(const video::FingerMotion& motion, OpeningSense opens);
 
 /// The runs of a film, on the clock of its log where there is one. `name` is that of its files, without an ending.
-/// `offset`: rad, added to each angle. Throws text::InputError where log and film cannot be brought together.
+/// `offsets`: rad, added to each angle. `led`: its place, px, where one sets the clock. Throws text::InputError where
+/// log and film cannot be brought together.
 [[nodiscard]] FilmRuns film_runs(const std::string& name, const video::TrackedFilm& film,
                                  const video::FingerMotion& motion, OpeningSense opens,
                                  const std::vector<double>& offsets,
-                                 const std::optional<simulation::CommandedInput>& log, std::optional<double> led_row);
+                                 const std::optional<simulation::CommandedInput>& log,
+                                 const std::optional<video::Place>& led);
 
 }  // namespace coilwright::cli

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -149,6 +150,14 @@ struct Advice {
   std::vector<std::string> asked;
 };
 
+// Which way they follow each other in a picture that a player turns.
+std::string way_of_rows(const video::TrackedFilm& film) {
+  if (film.quarter_turns == 0) return {};
+  constexpr std::array ways{"downwards", "leftwards", "upwards", "rightwards"};
+  return fmt::format(", {} in the picture, which the file turns by {} deg",
+                     ways.at(static_cast<std::size_t>(film.quarter_turns)), 90 * film.quarter_turns);
+}
+
 void advise_on_camera(const TrackOptions& options, const ReadFilm& film, Advice& advice) {
   const auto& motion = film.motion;
   if (!options.exposure && motion.exposure.value > 0.0)
@@ -159,9 +168,21 @@ void advise_on_camera(const TrackOptions& options, const ReadFilm& film, Advice&
         fmt::format("{}: the exposure, which its blur does not show: --exposure-ms (taken as 0)", film.name));
   if (!options.readout)
     advice.guessed.push_back(motion.readout.value != 0.0
-                                 ? fmt::format("{}: rows are read out in {:.3g} ms, by the skew of moving tags",
-                                               film.name, 1e3 * motion.readout.value)
+                                 ? fmt::format("{}: rows are read out in {:.3g} ms{}, by the skew of moving tags",
+                                               film.name, 1e3 * motion.readout.value, way_of_rows(film.film))
                                  : fmt::format("{}: all rows at once; no skew of moving tags is seen", film.name));
+}
+
+// What an oblique view may do to the angles, beyond what their scatter shows.
+void advise_on_view(const TrackOptions& options, const ReadFilm& film, Advice& advice) {
+  constexpr double worth_a_line = 0.2 * degree;
+  if (film.motion.view_bias < worth_a_line) return;
+  advice.guessed.push_back(fmt::format(
+      "{}: the camera is about {:.0f} deg off the normal of the plane of motion: all angles of a tag may be off by up "
+      "to "
+      "{:.1f} deg, by what the film does not tell of {}, which sigma_deg does not have; {}film along the normal",
+      film.name, film.motion.tilt / degree, film.motion.view_bias / degree,
+      options.lens.empty() ? "the lens and the side" : "the side", options.lens.empty() ? "--lens, or " : ""));
 }
 
 void print_all(std::string_view title, const std::vector<std::string>& sentences) {
@@ -175,9 +196,11 @@ std::string summary_of(const ReadFilm& film) {
   double sum = 0.0;
   for (const auto& each : tip.samples) sum += each.sigma * each.sigma;
   return fmt::format(
-      "{}: {} pictures, {} doubled; tip read in {}, to {:.3f} deg rms; camera {:.1f} deg off the normal\n", film.name,
-      film.film.pictures, film.film.doubled, tip.samples.size(),
-      std::sqrt(sum / static_cast<double>(tip.samples.size())) / degree, film.motion.tilt / degree);
+      "{}: {} pictures, {} doubled{}; tip read in {}, to {:.3f} deg rms; camera {:.1f} deg off the normal\n", film.name,
+      film.film.pictures, film.film.doubled,
+      film.film.unstamped == 0 ? std::string()
+                               : fmt::format(", {} more at the end without a time stamp left out", film.film.unstamped),
+      tip.samples.size(), std::sqrt(sum / static_cast<double>(tip.samples.size())) / degree, film.motion.tilt / degree);
 }
 
 void check_options(const TrackOptions& options) {
@@ -225,13 +248,14 @@ std::vector<FilmRuns> runs_of(const TrackOptions& options, const std::vector<Rea
                               const std::vector<std::optional<simulation::CommandedInput>>& logs, Advice& advice) {
   const OpeningSense opens = opening_of(options, films.front(), advice);
   const std::vector<double> offsets = offsets_of(options, films.front(), opens);
-  std::optional<double> led_row;
-  if (!options.led.empty()) led_row = options.led[1];
+  std::optional<video::Place> led;
+  if (!options.led.empty()) led = video::Place(options.led[0], options.led[1]);
   std::vector<FilmRuns> out;
   for (std::size_t i = 0; i < films.size(); ++i) {
     const ReadFilm& film = films[i];
-    out.push_back(film_runs(film.name, film.film, film.motion, opens, offsets, logs[i], led_row));
+    out.push_back(film_runs(film.name, film.film, film.motion, opens, offsets, logs[i], led));
     advise_on_camera(options, film, advice);
+    advise_on_view(options, film, advice);
     for (const std::string& sentence : {out.back().clock, out.back().why_no_still})
       if (!sentence.empty()) advice.guessed.push_back(film.name + ": " + sentence);
   }
@@ -276,11 +300,13 @@ Json films_json(const TrackOptions& options, const std::vector<ReadFilm>& films,
     return Json::object({{"name", film.name},
                          {"pictures", film.film.pictures},
                          {"doubled", film.film.doubled},
+                         {"unstamped", film.film.unstamped},
                          {"read", film.motion.tags.back().samples.size()},
                          {"interval_s", film.motion.interval},
                          {"exposure_s", film.motion.exposure.value},
                          {"readout_s", film.motion.readout.value},
-                         {"tilt_deg", film.motion.tilt / degree}});
+                         {"tilt_deg", film.motion.tilt / degree},
+                         {"view_bias_deg", film.motion.view_bias / degree}});
   });
   return Json::object({{"folder", options.out},
                        {"films", std::move(list)},

@@ -1,4 +1,5 @@
 #include <cstdlib>
+#include <limits>
 #include <new>
 #include <opencv2/aruco.hpp>
 #include <opencv2/calib3d.hpp>
@@ -48,9 +49,16 @@ class FilmFile : public PictureSource {
       else
         cv::cvtColor(colours_, grey, cv::COLOR_BGR2GRAY);
       picture.time = 1e-3 * capture_.get(cv::CAP_PROP_POS_MSEC);
-      // OpenCV 4.6 gives no stamp (0) to the few last pictures, which the decoder holds back: they are left out.
-      return first_ ? !(first_ = false) : picture.time != 0.0;
+      // OpenCV 4.6 gives no stamp (0) to the few last pictures, which the decoder holds back.
+      if (!first_ && picture.time == 0.0) picture.time = std::numeric_limits<double>::quiet_NaN();
+      first_ = false;
+      return true;
     });
+  }
+
+  [[nodiscard]] int quarter_turns() const override {
+    const int quarters = cvRound(capture_.get(cv::CAP_PROP_ORIENTATION_META) / 90.0);
+    return ((quarters % 4) + 4) % 4;
   }
 
  private:

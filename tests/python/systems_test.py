@@ -117,3 +117,23 @@ class _Diagnosed:
 
     def __init__(self, text):
         self._core = type("Core", (), {"json": text})
+
+
+def test_a_model_predicts_and_scores_records_without_a_fit(finger):
+    hidden = {"dry_friction": {"torque_Nmm": 0.8}}
+    records = cw.twin(finger, "configs/experiments/paper.json", hidden, noise={"angle_deg": 0.2}, seed=4)
+    right = finger.to_dict() | {"effects": [{"id": "dry_friction", "parameters": {"torque_Nmm": 0.8}}]}
+    run = "step_1.05A.csv"
+    scores = {name: cw.score(model, records, [run])[run]["bending_angle_deg"]
+              for name, model in (("declared", finger), ("right", cw.Actuator.from_dict(right)))}
+    assert scores["right"]["rmse"] == pytest.approx(0.2, rel=0.2) and scores["declared"]["rmse"] > 2 * scores["right"]["rmse"]
+    assert scores["right"]["samples"] == len(records[run])
+    shown = cw.predict(finger, records, [run])[run]["bending_angle_deg"]
+    motion = cw.simulate(finger, input={name: records[run][name] for name in ("time_s", "current_A")})
+    assert np.interp(records[run]["time_s"][40], motion["time_s"], motion["bending_angle_deg"]) == shown[40]
+    with pytest.raises(ValueError, match="have no x.csv"):
+        cw.predict(finger, records, ["x.csv"])
+    free = records.dataset
+    free["runs"][0]["start"] = "free"
+    with pytest.raises(cw.InputError, match="at_rest"):
+        cw.predict(finger, cw.Records(free, dict(records._files)))

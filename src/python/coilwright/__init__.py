@@ -26,6 +26,7 @@ from coilwright._evaluations import evaluate_all
 from coilwright._force import Field, Forces, Pair, field, force
 from coilwright._motion import Motion, simulate
 from coilwright._performance import Performance, evaluate
+from coilwright._predictions import predict, score
 from coilwright._results import Front, Progress, Sized, Swept, pareto, size, sweep
 from coilwright._search import Found, search
 from coilwright._study import Quantity, Study
@@ -36,6 +37,6 @@ __all__ = [
     "Actuator", "Diagnosis", "Effect", "Estimate", "Field", "Forces", "Found", "Front", "InputError", "Motion",
     "NoPerformance", "Number", "OutputError", "Pair", "Performance", "Plan", "Progress", "Quantity", "Records", "Sized",
     "Study", "Swept", "Table", "__version__", "crawl", "diagnose", "drive", "effects", "evaluate", "evaluate_all",
-    "field", "force", "grip", "linearise", "pareto", "plan", "reach", "report", "search", "simulate", "size", "sweep",
-    "twin", "yield_of",
+    "field", "force", "grip", "linearise", "pareto", "plan", "predict", "reach", "report", "score", "search",
+    "simulate", "size", "sweep", "twin", "yield_of",
 ]

@@ -1,0 +1,82 @@
+"""What a model predicts of records, and how far it is off: of any model, without a fit."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Optional
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coilwright._actuator import Actuator
+from coilwright._arrays import read_only
+from coilwright._diagnosis import Records, _file_of
+from coilwright._errors import InputError
+from coilwright._motion import simulate
+
+Channels = dict[str, NDArray[np.float64]]
+
+
+def predict(actuator: Actuator, records: Records, runs: Optional[Sequence[str]] = None) -> dict[str, Channels]:
+    """What a model would show in place of records: for each run its measured columns, at its times.
+
+    actuator: the declared one, or `diagnosis.actuator`, or any other. runs: file names; without them all motions. Each is
+    simulated from rest under its first input, as `simulate` does, without a fitted start, clock or zero: new records then
+    score a model as it is. Raises InputError for a run that is no motion from rest, or whose columns have no names of the
+    program.
+
+    >>> import coilwright as cw
+    >>> finger = cw.Actuator.prototype()
+    >>> records = cw.twin(finger, "configs/experiments/paper.json")
+    >>> shown = cw.predict(finger, records, ["step_0.70A.csv"])
+    >>> list(shown["step_0.70A.csv"])
+    ['bending_angle_deg']
+    """
+    entries: dict[str, Mapping[str, Any]] = {run["file"]: run for run in records.dataset["runs"]}
+    names = [name for name, run in entries.items() if run.get("kind") == "transient"] if runs is None else list(runs)
+    unknown = [name for name in names if name not in entries]
+    if unknown:
+        raise ValueError(f"runs: the records have no {', '.join(unknown)}; they have {', '.join(entries)}")
+    return {name: _prediction(actuator, records, name, entries[name]) for name in names}
+
+
+def score(actuator: Actuator, records: Records, runs: Optional[Sequence[str]] = None) -> dict[str, dict[str, dict[str, float]]]:
+    """How far `predict` is off, for each run and measured column: "rmse", "mae", "max" and "samples", in its unit. Absent
+    samples do not count.
+
+    >>> import coilwright as cw
+    >>> finger = cw.Actuator.prototype()
+    >>> records = cw.twin(finger, "configs/experiments/paper.json", noise={"angle_deg": 0.2}, seed=2)
+    >>> round(cw.score(finger, records)["step_0.70A.csv"]["bending_angle_deg"]["rmse"], 1)
+    0.2
+    """
+    out: dict[str, dict[str, dict[str, float]]] = {}
+    for run, shown in predict(actuator, records, runs).items():
+        table = records[run]
+        out[run] = {}
+        for channel, values in shown.items():
+            off = np.asarray(table[channel], float) - values
+            off = off[~np.isnan(off)]
+            out[run][channel] = {"rmse": float(np.sqrt(np.mean(off**2))), "mae": float(np.mean(np.abs(off))),
+                                 "max": float(np.max(np.abs(off))), "samples": float(len(off))}
+    return out
+
+
+def _prediction(actuator: Actuator, records: Records, name: str, run: Mapping[str, Any]) -> Channels:
+    def refused(rule: str) -> InputError:
+        return InputError(f"{name}: {rule}", name, "", rule, "")
+
+    if run.get("kind") != "transient" or run.get("start", "at_rest") != "at_rest":
+        raise refused('must be a motion ("transient") that starts "at_rest", to be predicted without a fit')
+    input_name = _file_of(run.get("input_file")) or name
+    table, source = records[name], records[input_name]
+    drive = run.get("drive", "current")
+    driven = [column for column in source.columns if column.startswith(drive)]
+    if "time_s" not in table.columns or "time_s" not in source.columns or not driven:
+        raise refused(f"must have the columns time_s and {drive}_.., as the program names them, to be predicted")
+    motion = simulate(actuator, input={column: source[column] for column in ("time_s", *driven)})
+    channels = [column for column in table.columns if column in motion and column != "time_s" and column not in driven]
+    if not channels:
+        raise refused("must have a measured column of a motion, as bending_angle_deg or theta1_deg")
+    time = np.asarray(table["time_s"], float)
+    return {column: read_only(np.interp(time, motion["time_s"], motion[column])) for column in channels}

@@ -35,14 +35,14 @@ struct Assembly {
   [[nodiscard]] double mass() const;
 };
 
-/// Geometry in, model out. Pure: the same design gives the same bits.
+/// Assembles the model of a design. The same design gives the same bits.
 ///
-/// Every joint between a coil and a magnet gets the torque curve of the chosen fidelity; magnets act on each other and
-/// on further coils along the chain as DistantPair says; coil-coil forces are left out (1.2 % of the coil-magnet force
-/// in the prototype, by the paper's and by our own figure).
+/// Every joint between a coil and a magnet gets the torque curve of the chosen fidelity. Magnets act on each other and
+/// on further coils along the chain as DistantPair describes. Forces between coils are left out (1.2 % of the
+/// coil-magnet force in the prototype, by the paper's figure and by ours).
 [[nodiscard]] std::variant<Assembly, ConstructionFaults> assemble(const Design& design);
 
-/// The same for a design that must be buildable: throws std::invalid_argument with the first fault.
+/// Assembles a design that must be buildable. Throws std::invalid_argument with the first fault.
 [[nodiscard]] Assembly assemble_or_throw(const Design& design);
 
 }  // namespace coilwright::actuator

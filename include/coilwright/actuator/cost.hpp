@@ -19,8 +19,8 @@ struct Cost {
 /// Driver board (8) and power supply (20), US$, bought once for all fingers.
 inline constexpr double driver_and_supply_cost = 28.0;
 
-/// Price of the pneumatic gripper of two fingers that the paper holds against its own, US$: the other column of its
-/// Table III. Nothing of it follows the design; a compressor and a regulator serve more fingers, too.
+/// Price of the pneumatic gripper of two fingers with which the paper compares its own, US$: the other column of its
+/// Table III. It does not depend on the design. A compressor and a regulator can serve more fingers, too.
 struct PneumaticGripperCost {
   double silicone_and_moulds = 5.0;
   double hoses = 2.0;
@@ -31,7 +31,7 @@ struct PneumaticGripperCost {
   [[nodiscard]] double total() const { return silicone_and_moulds + hoses + pressure_regulator + compressor; }
 };
 
-/// Price of a gripper of so many such fingers with driver and supply, US$.
+/// Price of a gripper of `fingers` such fingers with driver and supply, US$.
 [[nodiscard]] double gripper_cost(double finger_cost, int fingers = 2);
 
 [[nodiscard]] Cost cost_of(const Design& design, const Assembly& assembly);

@@ -8,7 +8,7 @@
 
 namespace coilwright::actuator {
 
-/// Something that no measurement of the design has settled, made the other way: a modelling choice, or a number at an
+/// A change of a design in something that no measurement of it has settled: another modelling choice, or a number at an
 /// end of what is known of it.
 struct OtherChoice {
   std::string_view subject;     ///< what it is: "damping of the joints", "remanence of the magnets"
@@ -21,14 +21,14 @@ struct OtherChoice {
   bool decided = false;       ///< whether its builder decides it, so that it is said and not measured
 };
 
-/// Every modelling choice of `design` that is tenable in another way too, one entry for each other way: the hinge law,
-/// the law of damping, the film coefficient, the contact of faces, the ampacity and the winding convention; where the
-/// design takes the source paper's torque or masses, those too. What each choice rests on is in docs/assumptions.md.
-/// Precondition: construction_faults(design) is empty.
+/// Returns one entry for each other tenable value of a modelling choice of `design`: the hinge law, the law of damping,
+/// the film coefficient, the contact of faces, the ampacity, the winding convention, and, if the design takes them, the
+/// source paper's torque and masses. docs/assumptions.md gives the reasons for each. Precondition:
+/// construction_faults(design) is empty.
 [[nodiscard]] std::vector<OtherChoice> other_choices(const Design& design);
 
-/// Every number of `design` that is neither measured nor stated, at the other values of number_widths(), one entry for
-/// each. Precondition: construction_faults(design) is empty.
+/// Returns one entry for each value of number_widths() at which a number of `design` may also be, if it is neither
+/// measured nor stated. Precondition: construction_faults(design) is empty.
 [[nodiscard]] std::vector<OtherChoice> other_numbers(const Design& design);
 
 }  // namespace coilwright::actuator

@@ -8,10 +8,10 @@
 
 namespace coilwright::actuator {
 
-/// How far one number of a design is known where it was not measured on the actuator that is built, and how it scatters
-/// from one build to the next.
+/// How well a number of a design is known if it was not measured on the built actuator, and how it scatters between
+/// builds.
 struct NumberWidth {
-  /// In what `least` and `greatest` are.
+  /// The unit of `least` and `greatest`.
   enum class In {
     deviations,  ///< from the design's value, in the unit of the name
     shares,      ///< deviations over the design's value
@@ -25,24 +25,23 @@ struct NumberWidth {
   In in = In::shares;           ///< the meaning of the two ends
   double least{};               ///< lower end; both 0 where `values` says all
   double greatest{};            ///< upper end
-  /// Of one build about its design: the bound that makers and standards give, two standard deviations; 0 where all
-  /// builds of a design have the same.
-  ///@{
+  /// Scatter of one build about its design: the bound that makers and standards give, two standard deviations; 0 if all
+  /// builds of a design have the same value. @{
   double printed{};  ///< a cast in printed moulds
   double by_hand{};  ///< moulds, cores and the cut made and set by hand
   ///@}
   bool decided = false;                   ///< the builder decides it, no measurement does
   bool (*open)(const Design&) = nullptr;  ///< whether a design leaves it open; nullptr: always
-  /// The other values where they are not the two ends, in the unit of the name. nullptr: the ends.
+  /// Returns the other values if they are not the two ends, in the unit of the name. nullptr: they are the ends.
   std::vector<double> (*values)(const Design&) = nullptr;
 };
 
-/// One row for each of parameters() but the counts of turns, the gauge and the grades, which are what was ordered.
-/// `coilwright list widths` prints them; docs/assumptions.md says what is made of them.
+/// One row for each of parameters(), except the counts of turns, the gauge and the grades, which are as ordered.
+/// `coilwright list widths` prints them; docs/assumptions.md describes their use.
 [[nodiscard]] std::span<const NumberWidth> number_widths();
 
-/// The values of that number, in the unit of its name, at which a design is to be looked at beside its own: none where
-/// the design states or measured it, or where it has no effect there.
+/// The values of that number, in the unit of its name, at which a design is also to be evaluated. Empty if the design
+/// states or measured the number, or if it has no effect there.
 [[nodiscard]] std::vector<double> other_values(const NumberWidth& width, const Design& design);
 
 }  // namespace coilwright::actuator

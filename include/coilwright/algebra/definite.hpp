@@ -4,8 +4,8 @@
 
 namespace coilwright::algebra {
 
-/// The x with matrix x = right, of a symmetric and positive definite matrix, by Cholesky's factors. Of another matrix
-/// the answer means nothing, and nothing says so.
+/// Solves matrix x = right for a symmetric, positive definite matrix, by Cholesky's factors. For another matrix the
+/// answer is meaningless, and no error is reported.
 [[nodiscard]] Eigen::VectorXd solve_definite(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 
 /// The inverse of such a matrix.

@@ -4,15 +4,16 @@
 
 namespace coilwright::algebra {
 
-/// What x' = A x + u with a constant u makes of x in a time: x of its end is transition x + integral u. The transition
-/// is the exponential of A times the time, and the integral that of the transitions up to there; (n, n) each.
+/// Response of x' = A x + u, with constant u, over a duration: x at its end is transition x + integral u. The
+/// transition is the exponential of A times the duration, and the integral is the integral of the transitions up to
+/// there; (n, n) each.
 struct HeldResponse {
   Eigen::MatrixXd transition;
   Eigen::MatrixXd integral;
 };
 
-/// By the series of a fraction of the time, and doubling: N. J. Higham, Functions of Matrices (2008), section 10.7.4.
-/// A with finite elements; stiff ones cost a product for each factor of two.
+/// Computes the response by the series of a fraction of the duration and repeated doubling: N. J. Higham, Functions of
+/// Matrices (2008), section 10.7.4. A has finite elements; a stiff A costs a product for each factor of two.
 [[nodiscard]] HeldResponse held_response(const Eigen::MatrixXd& matrix, double duration);
 
 }  // namespace coilwright::algebra

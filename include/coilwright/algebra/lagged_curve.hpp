@@ -12,11 +12,11 @@ namespace coilwright::algebra {
 /// polynomial u - T u' + T^2 u'' - T^3 u''' and a part that fades as exp(-t / T).
 class LaggedCurve {
  public:
-  /// Of `entering` by the lag T (s, > 0; rounding grows as the cube of T over the time between rows: 1e-13 of the curve
-  /// at ten times it), from `start` at the first row, one value for each of the curve's.
+  /// Applies the lag T (s, > 0) to the curve `entering`, from `start` at the first row, one value for each of the
+  /// curve's. Rounding grows as the cube of T over the time between rows: 1e-13 of the curve at a ratio of ten.
   LaggedCurve(SmoothCurve entering, double lag, std::span<const double> start);
 
-  /// Writes the values at a time from that of the first row on, s.
+  /// Writes the values at a time (s) that is not before the first row.
   void at(double time, std::span<double> out) const;
 
  private:

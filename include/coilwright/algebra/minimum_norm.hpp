@@ -5,14 +5,14 @@
 
 namespace coilwright::algebra {
 
-/// The shortest x with the least |matrix x - right|: a solution also where `matrix` does not have its full rank (normal
-/// matrices of numbers that records do not tell apart). By a complete orthogonal decomposition; a direction is in the
-/// rank where its pivot is larger than `threshold` of the largest, by default the rounding of its size. Where nothing
-/// is unknown (no columns) x is empty, and without rows it is zero.
+/// Returns the shortest x with the least |matrix x - right|, also for a matrix without full rank, such as normal
+/// matrices of numbers that records do not tell apart. The method is a complete orthogonal decomposition; a direction
+/// belongs to the rank if its pivot exceeds `threshold` times the largest, by default the rounding of its size. Without
+/// columns x is empty, and without rows it is zero.
 [[nodiscard]] Eigen::VectorXd minimum_norm(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right,
                                            std::optional<double> threshold = std::nullopt);
 
-/// The same for every column of `right`.
+/// Applies minimum_norm() to every column of `right`.
 [[nodiscard]] Eigen::MatrixXd minimum_norm_columns(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 
 }  // namespace coilwright::algebra

@@ -6,10 +6,10 @@
 
 namespace coilwright::algebra {
 
-/// A curve of several values through rows: cubics whose slopes at each row are those of the polynomial through the five
-/// rows around it (through all where there are fewer; a straight line through two). Exact for polynomials up to the
-/// third degree. Smooth once, and all but twice: the second derivative jumps by about h^2 / 6 times the fourth one, h
-/// between rows.
+/// A smooth curve of several values through rows: cubics whose slope at each row is that of the polynomial through the
+/// five rows around it (through all if there are fewer; two rows give a straight line). It is exact for polynomials up
+/// to the third degree. Its first derivative is continuous; its second derivative jumps by about h^2 / 6 times the
+/// fourth one, with h between rows.
 class SmoothCurve {
  public:
   /// One value on one interval: v + d (slope + d (bend + d twist)), d from the row at which the interval begins.
@@ -17,20 +17,21 @@ class SmoothCurve {
     double value{}, slope{}, bend{}, twist{};
   };
 
-  /// Of rows of `width` values, one row after the other in `values`; `times` ascending, at least two.
+  /// Makes the curve of rows of `width` values, one row after the other in `values`. `times` ascend and are at least
+  /// two.
   SmoothCurve(std::span<const double> times, std::span<const double> values, std::size_t width);
 
-  /// How many values it has.
+  /// Number of values of a row.
   [[nodiscard]] std::size_t width() const { return width_; }
-  /// Of its rows, ascending.
+  /// Times of the rows, ascending.
   [[nodiscard]] std::span<const double> times() const { return times_; }
-  /// The interval in which a time lies, from 0; times outside are in the first and the last one.
+  /// Index of the interval in which a time lies. Times outside belong to the first or the last interval.
   [[nodiscard]] std::size_t interval_of(double time) const;
-  /// Of one value on one interval, counted from 0.
+  /// The cubic of one value on one interval, counted from 0.
   [[nodiscard]] const Cubic& cubic(std::size_t interval, std::size_t column) const {
     return cubics_[interval * width_ + column];
   }
-  /// Writes the values at a time, (width). Beyond its ends the curve goes on as the nearest cubic.
+  /// Writes the values at a time, (width). Outside the rows the nearest cubic continues.
   void at(double time, std::span<double> out) const;
 
  private:

@@ -9,7 +9,7 @@
 
 namespace coilwright::archive {
 
-/// A file that a study is made of, kept whole, so that an archive needs no other file to be read.
+/// An input file of a study, kept whole, so that an archive needs no other file.
 struct Input {
   std::string file{};    ///< the path as it was given
   std::string sha256{};  ///< of its bytes, 64 hexadecimal digits
@@ -18,7 +18,7 @@ struct Input {
   friend bool operator==(const Input&, const Input&) = default;
 };
 
-/// The program whose numbers an archive holds. Another one may give others.
+/// The program whose numbers an archive holds. Another program may give others.
 struct Program {
   std::string version{};  ///< "0.1.0"
   std::string commit{};   ///< 40 hexadecimal digits; empty where it is not known
@@ -27,10 +27,12 @@ struct Program {
   friend bool operator==(const Program&, const Program&) = default;
 };
 
-/// "0.1.0 (commit 1234567)"; with the first digits of a build where the commit does not tell the sources.
+/// The name of a program: "0.1.0 (commit 1234567)", with the first digits of a build if the commit does not identify
+/// the sources.
 [[nodiscard]] std::string name_of(const Program& program);
 
-/// What decides the numbers of a design beside its variables: digests of texts, equal where these are.
+/// Digests of the texts that decide the numbers of a design beside its variables. They are equal if the texts are
+/// equal.
 struct Physics {
   std::string actuator{};   ///< of the study's actuator, with what --set changes
   std::string operation{};  ///< of its operating point
@@ -43,7 +45,7 @@ struct Physics {
 /// What a column of an archive holds.
 enum class Role { variable, objective, constraint, quantity };
 
-/// "variable", "objective", "constraint", "quantity".
+/// The name of a role: "variable", "objective", "constraint", "quantity".
 [[nodiscard]] std::string_view name_of(Role role);
 
 /// A column of the table of designs that the study brings.
@@ -56,7 +58,7 @@ struct Column {
   friend bool operator==(const Column&, const Column&) = default;
 };
 
-/// What an archive is an archive of: all that decides which designs are evaluated, and what comes out.
+/// The subject of an archive: all that decides which designs are evaluated, and the numbers that come out.
 struct Contents {
   std::string command{};                ///< "pareto"
   std::string study{};                  ///< its name
@@ -75,12 +77,12 @@ struct Contents {
 /// The columns of a study: its variables, objectives, limits and quantities.
 [[nodiscard]] std::vector<Column> columns_of(const sizing::Study& study);
 
-/// What keeps a run that asks for `asked` from going on in an archive of `found`, each as the part of a sentence: "seed
-/// 5, not 6". Empty where it may: both have the same command, program, inputs, changes, algorithm, seed and columns.
+/// Lists why a run that asks for `asked` cannot continue in an archive of `found`, each as a part of a sentence: "seed
+/// 5, not 6". Empty if it can: both have the same command, program, inputs, changes, algorithm, seed and columns.
 [[nodiscard]] std::vector<std::string> differences(const Contents& found, const Contents& asked);
 
-/// The same for answering designs of another study: what an archive of `found` must share with `asked` for that are the
-/// program, the physics and the names of the variables, and it must have every quantity of `asked`.
+/// Lists why an archive of `found` cannot answer designs of the study `asked`. Both must share the program, the physics
+/// and the names of the variables, and the archive must have every quantity of `asked`.
 [[nodiscard]] std::vector<std::string> differences_for_reuse(const Contents& found, const Contents& asked);
 
 }  // namespace coilwright::archive

@@ -17,7 +17,7 @@
 
 namespace coilwright::archive {
 
-/// What a run has seen so far.
+/// Counts of a run up to now.
 struct Counts {
   std::size_t evaluated{};       ///< designs that this run evaluated
   std::size_t answered{};        ///< designs that the archive of the run knew before it began
@@ -26,44 +26,43 @@ struct Counts {
   std::optional<double> best{};  ///< the best feasible value of the first objective; nothing without one
 };
 
-/// A study whose every evaluation goes through an archive: a design that an earlier run recorded is answered with its
-/// bits, one that another archive knows is worked out from that one's quantities, and all others are evaluated and
-/// recorded. Because a search is deterministic, one that was killed and is begun again through its archive goes the
-/// same way, evaluates what is missing and ends with the same bits.
+/// A study whose every evaluation goes through an archive. A design that an earlier run recorded is answered with its
+/// bits, a design that another archive has is computed from that archive's quantities, and all others are evaluated and
+/// recorded. Because a search is deterministic, one that was killed and is started again through its archive takes the
+/// same course and ends with the same bits.
 class RecordedStudy {
  public:
-  /// What the evaluations go through.
+  /// The archives that answer evaluations.
   struct Sources {
     std::shared_ptr<Writer> writer{};       ///< of this run; never empty; first, to go last, when nobody reads
     std::shared_ptr<const Reader> known{};  ///< the archive as earlier runs left it; nothing where it is new
     std::vector<std::shared_ptr<const Reader>> others{};  ///< archives without `differences_for_reuse`
   };
 
-  /// Keeps a copy of the problem.
+  /// Copies the problem.
   RecordedStudy(const sizing::DesignProblem& problem, Sources sources);
 
   /// The problem for search() or pareto(). It refers to this object.
   [[nodiscard]] sizing::Problem problem();
 
-  /// The evaluation of a point, with its place in the order of a sweep if that is known. From any thread. Numbers that
-  /// are not a number cannot be recorded: such a design is evaluated whenever it is asked for.
+  /// Evaluates a point, whose index in the order of a sweep may be given. Callable from any thread. A design with NaN
+  /// cannot be recorded and is evaluated at each request.
   [[nodiscard]] sizing::Evaluation evaluate(std::span<const double> point,
                                             std::optional<std::size_t> number = std::nullopt);
 
-  /// The same of the study under another modelling choice, `other`, which counts() leaves out.
+  /// Evaluates a point of the study under another modelling choice, `other`. counts() does not include it.
   [[nodiscard]] sizing::Evaluation evaluate_under(const std::string& choice, const sizing::DesignProblem& other,
                                                   std::span<const double> point);
 
-  /// What an answer rests on is not believed for standing in an archive. Where an archive has answered this design
-  /// (under that modelling choice, by its name; empty: the study's own), it is evaluated again. Throws text::InputError
-  /// naming archive, row, both numbers and the cure where another one comes out; a search may rest on what is recorded,
-  /// an answer not.
+  /// Checks a design on which an answer rests. If an archive has answered it (under that modelling choice, by its name;
+  /// empty: the study's own), it is evaluated again. Throws text::InputError naming archive, row, both numbers and the
+  /// cure if another number comes out.
   void require_same_again(std::span<const double> point, const std::string& choice = {}) const;
 
-  /// So far. From any thread.
+  /// The counts up to now. Callable from any thread.
   [[nodiscard]] Counts counts() const;
 
-  /// Waits for the disk, and gives the designs of `records` their numbers in the archive `path`.
+  /// Waits for the disk and writes the numbers of the designs of `records` into the archive `path`.
   void number(const std::filesystem::path& path, std::span<const sizing::Record> records);
 
  private:
@@ -84,13 +83,13 @@ class RecordedStudy {
   Counts counts_;
 };
 
-/// The evaluation anew of a design of an archive of these contents; nothing where it is none of the problem's.
+/// Evaluates a design of an archive with these contents again; absent if it is no design of the problem.
 [[nodiscard]] std::optional<sizing::Evaluation> evaluated_again(const sizing::DesignProblem& problem,
                                                                 const Contents& contents, const Row& row);
 
-/// Of these designs of an archive the ids of those whose evaluation by `problem` has other bits than what the archive
-/// says: none where it was written by this program on such a machine. Its contents have no `differences_for_reuse` from
-/// those of the problem, but for the program; designs that are none of the problem's are passed over.
+/// Returns the ids of those designs whose evaluation by `problem` has other bits than the archive; none if this program
+/// wrote it on such a machine. The archive must have no `differences_for_reuse` from the problem except the program.
+/// Designs that are none of the problem's are skipped.
 [[nodiscard]] std::vector<std::int64_t> designs_with_other_numbers(const sizing::DesignProblem& problem,
                                                                    const Contents& contents,
                                                                    std::span<const Row> designs);

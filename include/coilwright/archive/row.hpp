@@ -17,11 +17,11 @@ namespace coilwright::archive {
 using Value = std::variant<double, std::string>;
 
 /// The values of a study's variables at a point of its search, in their order. Points with the same values are the same
-/// design, and so have the same evaluation.
+/// design and have the same evaluation.
 [[nodiscard]] std::vector<Value> values_of(const sizing::Study& study, std::span<const double> point);
 
-/// The point of a study's search with these values, one for each variable; nothing where one is no value of its
-/// variable.
+/// The point of a study's search with these values, one for each variable; absent if a value is not one of its
+/// variable's.
 [[nodiscard]] std::optional<std::vector<double>> point_of(const sizing::Study& study, std::span<const Value> values);
 
 /// One evaluation, as an archive keeps it.

@@ -9,14 +9,14 @@
 
 namespace coilwright::control {
 
-/// Share of the change within which a motion counts as arrived: the usual convention, as simulation::StepResponse has
-/// it.
+/// Share of the change within which a motion counts as arrived: the usual convention, which simulation::StepResponse
+/// uses too.
 inline constexpr double settling_band = 0.02;
 
-/// Overshoot above which a profile does not count as one without ringing.
+/// Overshoot above which a profile counts as ringing.
 inline constexpr double most_overshoot = 0.1;
 
-/// How the bending angle arrives where a profile leads it.
+/// The course of the bending angle at the end of a profile.
 struct Arrival {
   double start{};  ///< rad, under the current before
   double end{};    ///< rad, the equilibrium under the last current about which it is at the end
@@ -28,16 +28,16 @@ struct Arrival {
   /// time.
   double time_outside{};
 
-  /// The settling time, infinite where there is none: to compare by.
+  /// The settling time, infinite if the motion does not settle; used to compare profiles.
   [[nodiscard]] double settling_or_never() const {
     return settling_time.value_or(std::numeric_limits<double>::infinity());
   }
 };
 
-/// Follows `model` under `profile` from rest for `duration` (s), looking 2000 times a second. Heat and whatever else of
-/// the model is slow stays as it is at the start. Throws std::invalid_argument for a profile that breaks its rules and
-/// std::runtime_error where the model has no stable pose at the start or at the end, or where its bending angle does
-/// not change (below 1e-6 rad).
+/// Follows `model` under `profile` from rest for `duration` (s), with 2000 samples per second. Slow effects, such as
+/// heat, stay as they are at the start. Throws std::invalid_argument for a profile that breaks its rules, and
+/// std::runtime_error if the model has no stable pose at the start or at the end, or if its bending angle changes by
+/// less than 1e-6 rad.
 [[nodiscard]] Arrival arrival(const actuator::Model& model, const CurrentProfile& profile, double duration);
 
 }  // namespace coilwright::control

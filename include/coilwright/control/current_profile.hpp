@@ -7,8 +7,8 @@
 
 namespace coilwright::control {
 
-/// One current in every coil over time: before time 0 it has been `before` for long, and each level holds until the
-/// next.
+/// One current in every coil over time. Before time 0 it has been `before` for a long time, and each level holds until
+/// the next.
 struct CurrentProfile {
   double before{};               ///< A
   std::vector<double> times{};   ///< s, the first 0, increasing
@@ -17,8 +17,8 @@ struct CurrentProfile {
   [[nodiscard]] double last() const { return levels.back(); }  ///< A, what it ends with
 };
 
-/// `profile` as a model takes it, up to `duration` (s, beyond the last of its times). Throws std::invalid_argument for
-/// a profile that breaks its rules.
+/// Converts `profile` to the input of a model, up to `duration` (s, beyond the last of its times). Throws
+/// std::invalid_argument for a profile that breaks its rules.
 [[nodiscard]] simulation::ModelInput input_of(const actuator::Model& model, const CurrentProfile& profile,
                                               double duration);
 

@@ -14,13 +14,13 @@ enum class Shaper {
   zero_vibration_derivative,  ///< three: what is left grows only with the square of an error of the mode's frequency
 };
 
-/// "step", "zero_vibration", "zero_vibration_derivative".
+/// The name of a shaper: "step", "zero_vibration", "zero_vibration_derivative".
 [[nodiscard]] std::string_view name_of(Shaper shaper);
 
-/// A step of the current from `from` to `to` (A) at time 0, split for a mode: pieces (1, K) / (1 + K), or (1, 2 K, K^2)
-/// / (1 + K)^2, half a damped period apart, K = exp(-pi zeta / sqrt(1 - zeta^2)) (Singer and Seering, J. Dyn. Syst.
-/// Meas. Control 112, 76, 1990). It is exact for one linear mode; a finger has a torque that falls with its angle, and
-/// more modes. A mode that does not oscillate (damping ratio 1 and more) leaves the step whole. Throws
+/// A step of the current from `from` to `to` (A) at time 0, split for a mode into pieces (1, K) / (1 + K), or (1, 2 K,
+/// K^2) / (1 + K)^2, half a damped period apart, K = exp(-pi zeta / sqrt(1 - zeta^2)) (Singer and Seering, J. Dyn.
+/// Syst. Meas. Control 112, 76, 1990). It is exact for one linear mode; a finger has more modes, and its torque falls
+/// with its angle. A mode that does not oscillate (damping ratio 1 and more) leaves the step whole. Throws
 /// std::invalid_argument unless the currents are finite, frequency and damping ratio > 0.
 [[nodiscard]] CurrentProfile shaped_step(double from, double to, const simulation::Mode& mode, Shaper shaper);
 

@@ -11,7 +11,7 @@
 
 namespace coilwright::control {
 
-/// Reach a bending angle from rest, fast and without ringing, by a current profile alone (no sensor).
+/// The task to reach a bending angle from rest, fast and without ringing, by a current profile without a sensor.
 struct ReachTask {
   double angle{};                ///< to reach, rad
   double start_current{};        ///< in every coil before, A
@@ -22,16 +22,17 @@ struct ReachTask {
   int pieces = 3;                ///< levels of the searched profile before the last one, 1 to 6
 };
 
-/// A profile and how it does.
+/// A profile with the arrivals to which it leads.
 struct ProfileQuality {
   std::string name;  ///< "step", "zero_vibration", "zero_vibration_derivative", "searched"
   CurrentProfile profile;
   Arrival nominal;
-  /// The latest arrival of the finger as it is and with k and b off either way; its overshoot is the largest of theirs.
+  /// The latest arrival among the finger as declared and those with k and b off either way. Its overshoot is the
+  /// largest of all.
   Arrival worst;
 };
 
-/// The answer.
+/// The result of reach(): the profiles and what they start from.
 struct Reach {
   double current{};                      ///< that holds the angle, A
   simulation::Mode mode;                 ///< the slowest of small motions there
@@ -42,14 +43,14 @@ struct Reach {
 };
 
 /// Finds the current that holds the angle, shapes a step to it for the slowest mode, and searches with NLopt (Nelder
-/// and Mead on subspaces, from both shapers and from the highest current) the levels and lengths of a profile whose
-/// worst Arrival::time_outside over the five fingers is least. Same task, same answer. Throws std::invalid_argument
-/// naming the field, the rule and the value, and std::runtime_error saying why where the angle cannot be reached or the
-/// plain step does not settle.
+/// and Mead on subspaces, from both shapers and from the highest current) for the levels and lengths of the profile
+/// with the least worst Arrival::time_outside over the five fingers. The same task gives the same answer. Throws
+/// std::invalid_argument naming the field, the rule and the value, and std::runtime_error with the reason if the angle
+/// cannot be reached or the plain step does not settle.
 [[nodiscard]] Reach reach(const actuator::Model& model, const ReachTask& task);
 
-/// The profile whose worst finger settles first; the earlier one of equals. A fling that is over soon still is one:
-/// more overshoot than most_overshoot comes after any that keeps within it.
+/// The profile whose worst finger settles first; of equals the earlier one. Profiles that overshoot by more than
+/// most_overshoot come after all that do not.
 [[nodiscard]] const ProfileQuality& best_profile(const Reach& reach);
 
 }  // namespace coilwright::control

@@ -4,8 +4,8 @@
 
 namespace coilwright::drive {
 
-/// What the current flows through in one phase of a driver, besides the coils. The driver itself never turns a current
-/// round; motion may (systems::drive_motion), where no diode is in its way.
+/// The parts of a driver through which the current flows in one phase, beside the coils. The driver itself never
+/// reverses a current; motion may (systems::drive_motion), if no diode is in its way.
 struct Path {
   double source{};             ///< voltage that drives the current, V; below 0 where it flows back into the supply
   double diodes{};             ///< forward drops, whatever the current, V; >= 0
@@ -14,7 +14,7 @@ struct Path {
   bool one_way{};              ///< whether diodes carry it, so that it cannot turn round
 };
 
-/// Fixed off-time regulation: at `trip` the driver shorts the coils for `off_time`, then drives again.
+/// Fixed off-time regulation: at the current `trip` the driver shorts the coils for `off_time` and then drives again.
 struct CurrentLimit {
   double trip{};      ///< A, of the driver's current; finite, > 0
   double off_time{};  ///< s; finite, > 0
@@ -31,13 +31,14 @@ struct Driver {
   std::optional<CurrentLimit> limit{};
 };
 
-/// Where an H-bridge leaves the current while off.
+/// The path of the current in an H-bridge while it is off.
 enum class Decay {
   slow,  ///< both low switches on: the coils are shorted, the current dies by resistance
   fast   ///< all switches off: diodes return the current to the supply until it is zero, and then nothing flows
 };
 
-/// Between what a bridge works. The defaults are those of the DRV8870 and DRV8871 (data sheets, sections 6.1 and 6.3).
+/// The ranges within which a bridge works. The defaults are those of the DRV8870 and DRV8871 (data sheets, sections 6.1
+/// and 6.3).
 struct BridgeRatings {
   double lowest_voltage = 6.5;    ///< of the supply, V; finite, >= 0: below it the driver locks its switches
   double highest_voltage = 45.0;  ///< of the supply, V; finite, > 0
@@ -61,10 +62,10 @@ struct HBridge {
   BridgeRatings ratings{};         ///< no rule for what driver_of() makes: systems::drive_actuator warns
 };
 
-/// Throws std::invalid_argument naming the field, the rule and the value received.
+/// Makes the driver of a bridge. Throws std::invalid_argument naming the field, the rule and the value received.
 [[nodiscard]] Driver driver_of(const HBridge& bridge);
 
-/// A battery cell whose coils hang on one switch, with a diode across the coils.
+/// A battery cell with one switch and a diode across the coils.
 struct CellSwitch {
   double emf{};                ///< of the open circuit, V; finite, > 0; taken as constant over the discharge
   double resistance{};         ///< inside the cell with its leads, ohm; finite, >= 0
@@ -72,11 +73,12 @@ struct CellSwitch {
   double diode_voltage = 0.4;  ///< of the diode, V; finite, >= 0; a Schottky diode's at about 1 A
 };
 
-/// Throws std::invalid_argument naming the field, the rule and the value received.
+/// Makes the driver of a cell. Throws std::invalid_argument naming the field, the rule and the value received.
 [[nodiscard]] Driver driver_of(const CellSwitch& cell);
 
-/// How long a cell of `capacity` (A s) delivers `mean_current` (A), s; infinite for no current. Nothing is said of the
-/// fall of its voltage. Throws std::invalid_argument unless both are finite, > 0 and >= 0.
+/// Time for which a cell of `capacity` (A s) delivers `mean_current` (A), s; infinite for no current. The fall of its
+/// voltage is not considered. Throws std::invalid_argument unless both are finite, `capacity` is > 0 and `mean_current`
+/// >= 0.
 [[nodiscard]] double run_time(double capacity, double mean_current);
 
 }  // namespace coilwright::drive

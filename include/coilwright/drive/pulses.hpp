@@ -10,7 +10,7 @@ struct Pulses {
   double duty{};       ///< fraction of a period with the command on, 0 to 1; at 0 and 1 nothing switches
 };
 
-/// How long each phase of a period lasts, in their order, s.
+/// Length of each phase of a period, in their order, s.
 struct PhaseLengths {
   double on{};
   double dead_before_off{};
@@ -18,8 +18,8 @@ struct PhaseLengths {
   double dead_before_on{};
 };
 
-/// The dead time delays switching on, so that it is taken off the pulse: a pulse shorter than it never switches on. A
-/// pause shorter than it has no off phase. Precondition: the pulses keep their rules.
+/// Computes the lengths. The dead time delays switching on, so it is taken off the pulse: a shorter pulse never
+/// switches on, and a shorter pause has no off phase. Precondition: the pulses keep their rules.
 [[nodiscard]] PhaseLengths phase_lengths(const Driver& driver, const Pulses& pulses);
 
 }  // namespace coilwright::drive

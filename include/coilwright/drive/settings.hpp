@@ -7,20 +7,20 @@
 
 namespace coilwright::drive {
 
-/// A setting of a drive that gives a wanted mean current, or what can be had.
+/// A setting of a drive that gives a wanted mean current, or the nearest that can be had.
 struct Setting {
   std::optional<double> value{};  ///< of the setting; nothing where the mean current is out of reach
   SteadyCurrent current{};        ///< at that setting; at the largest one where there is none
 };
 
-/// The duty at which the driver's mean current is `mean` (A; finite, > 0), to 1e-12 of a period. Just below duty 1 and
-/// where the pulse comes to exceed the dead time the mean current jumps, and so it may where a current limit chops:
-/// there it is the smallest duty with at least that mean; setting.current has what it gives. Throws
-/// std::invalid_argument as steady_current() does, and for a mean that is none.
+/// Finds the duty at which the driver's mean current is `mean` (A; finite, > 0), to 1e-12 of a period. Near duty 1,
+/// where the pulse comes to exceed the dead time, and where a current limit chops, the mean current may jump; there it
+/// is the smallest duty with at least that mean, and setting.current has the mean that it gives. Throws
+/// std::invalid_argument as steady_current() does, and for an invalid mean.
 [[nodiscard]] Setting duty_for_mean(const Circuit& circuit, const Driver& driver, double frequency, double mean);
 
-/// The same for a supply voltage up to `most` (V; finite, > 0), to 1e-12 of it, at given pulses; `driver_at` makes the
-/// driver of each voltage.
+/// Finds the supply voltage up to `most` (V; finite, > 0) for a mean current at given pulses, to 1e-12 of it;
+/// `driver_at` makes the driver of each voltage. Throws as duty_for_mean() does.
 [[nodiscard]] Setting voltage_for_mean(const Circuit& circuit, const std::function<Driver(double)>& driver_at,
                                        const Pulses& pulses, double mean, double most);
 

@@ -6,7 +6,7 @@
 
 namespace coilwright::drive {
 
-/// Mean powers over the periods looked at, W. source = coils + switches + diodes + supply + stored.
+/// Mean powers over the periods evaluated, W. source = coils + switches + diodes + supply + stored.
 struct DrivePowers {
   double source{};    ///< of the supply's electromotive force, less what returns to it
   double coils{};     ///< heat in the coils' copper
@@ -16,7 +16,7 @@ struct DrivePowers {
   double stored{};    ///< growth of the field energy; 0 where the current repeats
 };
 
-/// How the current ends up under pulses, A, of the driver (a coil has its share).
+/// The periodic current under pulses, A, of the driver; a coil has its share.
 struct SteadyCurrent {
   double mean{};
   double rms{};
@@ -25,8 +25,9 @@ struct SteadyCurrent {
   double supply_mean{};  ///< that the supply delivers, less what returns to it
   double conduction{};   ///< fraction of the time with a current, 0 to 1
   bool is_limited{};     ///< whether the current limit acted
-  /// Whether every period is as the one before. Pulses that beat with a limit's fixed off-time may not repeat; then all
-  /// is a mean over 1000 periods after the start has died away, peak and valley are those of them all.
+  /// Whether every period equals the one before. Pulses that beat with a limit's fixed off-time may not repeat; then
+  /// the figures are means over 1000 periods after the start has died away, and peak and valley are those of all of
+  /// them.
   bool repeats = true;
   DrivePowers powers{};
 
@@ -34,12 +35,12 @@ struct SteadyCurrent {
   [[nodiscard]] bool is_discontinuous() const noexcept { return conduction < 1.0; }  ///< zero for part of a period
 };
 
-/// The periodic steady state of L di/dt = source - diodes - (R + resistances) i, phase after phase (on, dead, off,
-/// dead), each an exponential in closed form; i stays at zero once it is there until the next pulse. Without a current
-/// limit the start of a period is the fixed point of a linear map, or zero; with one, periods are followed until they
-/// repeat. A pulse shorter than the dead time never switches on. Source: circuit theory; Erickson and Maksimovic,
-/// Fundamentals of Power Electronics, 2001, ch. 5 (discontinuous conduction). Throws std::invalid_argument naming the
-/// field, the rule and the value received.
+/// Computes the periodic steady state of L di/dt = source - diodes - (R + resistances) i, phase after phase (on, dead,
+/// off, dead), each an exponential in closed form; a current that reaches zero stays there until the next pulse.
+/// Without a current limit the start of a period is the fixed point of a linear map, or zero; with one, periods are
+/// followed until they repeat. A pulse shorter than the dead time never switches on. Source: circuit theory; Erickson
+/// and Maksimovic, Fundamentals of Power Electronics, 2001, ch. 5 (discontinuous conduction). Throws
+/// std::invalid_argument naming the field, the rule and the value received.
 [[nodiscard]] SteadyCurrent steady_current(const Circuit& circuit, const Driver& driver, const Pulses& pulses);
 
 }  // namespace coilwright::drive

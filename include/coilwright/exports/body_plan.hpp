@@ -18,8 +18,8 @@ struct PlacedPart {
   double face_wall{};     ///< silicone on each of its two faces
 };
 
-/// Where everything is in the straight body, SI: what sheets, drawings and moulds have in common. Heights count from
-/// the underside of the bottom layer.
+/// The places of all parts in the straight body, SI, which sheets, drawings and moulds share. Heights count from the
+/// underside of the bottom layer.
 struct BodyPlan {
   double length{};
   double width{};
@@ -31,7 +31,7 @@ struct BodyPlan {
   std::vector<double> joints;     ///< where the slits are, along the body; one fewer than parts
 };
 
-/// All from dimensions and segments of the assembly.
+/// Takes the places from dimensions and segments of the assembly.
 [[nodiscard]] BodyPlan body_plan(const DesignSubject& subject);
 
 }  // namespace coilwright::exports

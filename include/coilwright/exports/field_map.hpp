@@ -23,18 +23,18 @@ struct MapPlane {
   std::size_t columns{};  ///< >= 1
   std::size_t rows{};     ///< >= 1
 
-  /// The point with these coordinates, m.
+  /// The point with these coordinates in the plane, m.
   [[nodiscard]] Eigen::Vector3d at(double along_right, double along_up) const {
     return origin + along_right * right + along_up * up;
   }
-  /// The middles of the cells, row by row from the bottom, each from the left.
+  /// The centres of the cells, row by row from the bottom, each row from the left.
   [[nodiscard]] std::vector<Eigen::Vector3d> points() const;
 };
 
-/// An SVG of a field in a plane, on A4 across: colour by the magnitude on a logarithmic scale of three decades,
-/// arrows along the part in the plane, the bodies by where the plane cuts them. `flux_density`: T at points(); one that
-/// is not finite, as in a plate of iron, leaves its cell grey.
-/// Throws std::invalid_argument where it does not have a value for each cell.
+/// Draws a field in a plane as SVG, on A4 landscape: colour for the magnitude on a logarithmic scale of three decades,
+/// arrows for the part in the plane, and the bodies where the plane cuts them. `flux_density` has a value in T for each
+/// of points(); a value that is not finite, as in a plate of iron, leaves its cell grey. Throws std::invalid_argument
+/// for another number of values.
 [[nodiscard]] std::string field_map_svg(const MapPlane& plane, std::span<const Eigen::Vector3d> flux_density,
                                         std::span<const magnetics::Body> bodies, const std::string& title);
 

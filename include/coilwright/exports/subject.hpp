@@ -14,7 +14,7 @@
 
 namespace coilwright::exports {
 
-/// Where an export comes from, as the exported files say it.
+/// The origin of an export, as the exported files state it.
 struct Origin {
   std::string name;     ///< of the actuator, one line of UTF-8; may be empty
   std::string made_by;  ///< one line of UTF-8: program, version, input file and what was changed of it; may be empty
@@ -28,29 +28,29 @@ struct DesignSubject {
   std::optional<actuator::OperatingPoint> operating_point{};  ///< for which it was sized
 };
 
-/// An actuator of which only the model is known, or wanted.
+/// An actuator of which only the model is known or wanted.
 struct ModelSubject {
   Origin origin;
   actuator::Model model;
 };
 
-/// What is exported: of a design (actuator/1) or of a lumped model (lumped-model/1).
+/// The subject of an export: a design (actuator/1) or a lumped model (lumped-model/1).
 using Subject = std::variant<DesignSubject, ModelSubject>;
 
-/// What an export may be told beside the actuator. Each kind of export reads those that its row names.
+/// Settings of an export beside the actuator. Each kind of export reads those that its row names.
 struct ExportSettings {
-  /// Of each of the two leads of a coil, m; >= 0. Not part of the winding: resistance and mass of the lead are told
-  /// apart from the coil's.
+  /// Length of each of the two leads of a coil, m; >= 0. Resistance and mass of the leads are stated separately from
+  /// the coil's.
   double lead_length = 0.15;
-  /// Silicone that stays in cups, on tools and in the mould's seam, over the silicone in the actuator; >= 0.
+  /// Silicone that stays in cups, on tools and in the mould's seam, relative to that in the actuator; >= 0.
   double waste = 0.25;
-  /// Mass of part A of the silicone over that of part B; 0: not known, then only the sum of both is told.
+  /// Mass of part A of the silicone over that of part B. 0 if it is not known; then only the sum of both is stated.
   double base_per_hardener = 0.0;
-  /// In the coil of a pair whose field is computed, A; positive repels the magnet.
+  /// Current in the coil of a pair whose field is computed, A; positive repels the magnet.
   double current = 1.0;
 };
 
-/// One of them as a person gives it.
+/// One of the settings as a person gives it.
 struct ExportSetting {
   std::string_view name;                    ///< with its unit at the end (units::to_memory): "lead_mm"
   std::string_view text;                    ///< what it is, in a sentence
@@ -59,16 +59,18 @@ struct ExportSetting {
   double ExportSettings::*value = nullptr;  ///< SI
 };
 
-/// All of them.
+/// All settings of exports.
 [[nodiscard]] std::span<const ExportSetting> export_settings() noexcept;
 
-/// One file of an export, complete in memory: the writing is the caller's.
+/// One file of an export, complete in memory; the caller writes it.
 struct ExportedFile {
   std::string name;  ///< a plain file name, without a folder
   std::string text;  ///< UTF-8, lines end with a newline
-  /// What of the actuator the file cannot say, one line each without a full stop: the text names it too.
+  /// Properties of the actuator that the file cannot express, one line each without a full stop. The text of the file
+  /// names them too.
   std::vector<std::string> left_out{};
-  /// Why that is so much that the file is of another actuator, without a full stop; empty where it is not.
+  /// Why the omissions are so large that the file describes another actuator, without a full stop; empty if they are
+  /// not.
   std::string too_much{};
 };
 

@@ -12,7 +12,8 @@
 
 namespace coilwright::magnetics {
 
-/// A function given to Curve: fills values[i] = f(points[i]). Refers to the callable, does not own it; no allocation.
+/// A function for Curve that fills values[i] = f(points[i]). It refers to the callable without owning it and allocates
+/// nothing.
 class BatchFunction {
  public:
   /// Refers to `callable`, which must outlive this object and be callable with (points, values).
@@ -33,13 +34,13 @@ class BatchFunction {
   void (*call_)(const void*, std::span<const double>, std::span<double>);
 };
 
-/// Function of one variable over [lower, upper] as piecewise polynomials: nanoseconds to evaluate, value and
-/// derivative, without allocating. Built through Chebyshev points in the logarithm of the distance from a point below
-/// `lower`; the range is halved where the coefficients fall too slowly, so that a steep or weakly singular end costs
-/// points only there. Cut into pieces as long as each can be at the tolerance.
+/// Function of one variable over [lower, upper] as piecewise polynomials. Value and derivative take nanoseconds and no
+/// allocation. It is built through Chebyshev points in the logarithm of the distance from a point below `lower`. The
+/// range is halved where the coefficients fall too slowly, so a steep or weakly singular end costs points only there.
+/// Pieces are as long as the tolerance allows.
 class Curve {
  public:
-  /// What to interpolate over, and how well.
+  /// Range and accuracy of an interpolation.
   struct Spec {
     double lower{};                 ///< finite, < upper
     double upper{};                 ///< finite
@@ -47,7 +48,7 @@ class Curve {
     double boundary_layer_width{};  ///< > 0: how far below `lower` the function's variation is concentrated, in the
                                     ///< unit of x; 0 stands for upper - lower: no particular concentration
   };
-  /// Most evaluations of the function that a curve takes before it gives up.
+  /// The largest number of evaluations of the function before a curve gives up.
   static constexpr int max_evaluations = 1000;
   /// Value and slope at one place.
   struct Sample {
@@ -55,13 +56,14 @@ class Curve {
     double derivative;  ///< per unit of x
   };
 
-  /// Throws std::invalid_argument for a bad spec or when the function is not finite somewhere, std::domain_error when
-  /// the tolerance is not reached with `max_evaluations` points (the function jumps, or is noisier than the tolerance).
+  /// Builds the curve. Throws std::invalid_argument for a bad spec or if the function is not finite somewhere, and
+  /// std::domain_error if `max_evaluations` points do not reach the tolerance (the function jumps, or is noisier than
+  /// the tolerance).
   Curve(BatchFunction function, const Spec& spec);
 
-  /// Value and derivative at x. Outside [lower, upper] the curve goes on as the straight line that continues it with
-  /// the same slope: finite and smooth enough for a solver that steps over the end, but not physics. The derivative
-  /// is that of the interpolant; its error is larger than the value's by the usual order. NaN for a NaN.
+  /// Value and derivative at x. Outside [lower, upper] the curve continues as a straight line with the same slope:
+  /// finite and smooth enough for a solver that steps over the end, but not physics. The derivative is that of the
+  /// interpolant, so its error is larger than the value's by the usual order. NaN for NaN.
   [[nodiscard]] Sample sample(double x) const noexcept {
     // Written so that a NaN picks a piece too (and comes out as NaN): the number of the piece is an index.
     const double inside = x > lower_ ? (x < upper_ ? x : upper_) : lower_;
@@ -84,7 +86,7 @@ class Curve {
     const double slope = (odd + 2.0 * (t * even_slope + w * odd_slope)) * piece.scale;
     return {even + t * odd + slope * (x - inside), slope};
   }
-  /// The same without the derivative, in half the time inside the range.
+  /// Value at x, in half the time of sample() inside the range.
   [[nodiscard]] double value(double x) const noexcept {
     if (!(x >= lower_ && x <= upper_)) return sample(x).value;
     const Piece& piece = piece_at(x);
@@ -104,13 +106,13 @@ class Curve {
 
   [[nodiscard]] double lower() const noexcept { return lower_; }
   [[nodiscard]] double upper() const noexcept { return upper_; }
-  /// How far below `lower` the variation is concentrated, as given or chosen, in the unit of x.
+  /// Distance below `lower` within which the variation is concentrated, as given or chosen, in the unit of x.
   [[nodiscard]] double boundary_layer_width() const noexcept { return lower_ - origin_; }
   /// Bound on |value(x) - f(x)| inside the range, in the function's unit, from the decay of the coefficients.
   [[nodiscard]] double error_bound() const noexcept { return error_bound_; }
-  /// Largest magnitude met while building, in the function's unit.
+  /// Largest magnitude seen while building, in the function's unit.
   [[nodiscard]] double scale() const noexcept { return scale_; }
-  /// Evaluations of the function that building took.
+  /// Number of evaluations of the function that building took.
   [[nodiscard]] int evaluations() const noexcept { return evaluations_; }
 
  private:

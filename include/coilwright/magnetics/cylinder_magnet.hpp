@@ -2,14 +2,13 @@
 
 namespace coilwright::magnetics {
 
-/// Permanent magnet, a full cylinder, magnetised along its axis.
-/// Rigidly and uniformly with recoil permeability 1: a sheet of current remanence / mu0 (A/m) round its side. With more
-/// than 1 the magnet's own field takes some of its magnetisation, most at its faces and edges; what is left holds to
-/// first order in recoil_permeability - 1 (docs/theory/magnetics.md, "Inner field and recoil"). Immutable; copies are
-/// cheap.
+/// Permanent magnet, a full cylinder, magnetised along its axis. With recoil permeability 1 it is rigid and uniform: a
+/// sheet of current remanence / mu0 (A/m) round its side. With more, the magnet's own field reduces its magnetisation,
+/// most at its faces and edges; the result holds to first order in recoil_permeability - 1 (docs/theory/magnetics.md,
+/// "Inner field and recoil"). Immutable; copies are cheap.
 class CylinderMagnet {
  public:
-  /// Highest recoil permeability taken: the first order leaves 0.02 % of a force at 1.05, 0.3 % at 1.2.
+  /// Largest recoil permeability accepted: the first order leaves 0.02 % of a force at 1.05, 0.3 % at 1.2.
   static constexpr double most_recoil_permeability = 1.2;
 
   /// Inputs of a CylinderMagnet. Name every field at the call site.
@@ -19,7 +18,7 @@ class CylinderMagnet {
     double remanence{};              ///< Br, T, along +axis; finite, > 0 (turn the axis to turn the polarity)
     double recoil_permeability = 1;  ///< relative, of the line B(H) on which the magnet works; 1 to 1.2, NdFeB 1.05
   };
-  /// Throws std::invalid_argument naming the field, the rule and the value received.
+  /// Makes the magnet. Throws std::invalid_argument naming the field, the rule and the value received.
   explicit CylinderMagnet(const Spec& spec);
 
   [[nodiscard]] double radius() const noexcept { return spec_.radius; }                            ///< m

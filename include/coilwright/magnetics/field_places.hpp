@@ -11,14 +11,14 @@
 
 namespace coilwright::magnetics {
 
-/// The field of bodies beside a plate at many points, and where these lie.
+/// The field of bodies beside a plate at many points, and the places of these points.
 struct FieldPlaces {
   std::vector<FieldSample> samples{};
   std::vector<std::size_t> within{};  ///< number of the body that a point lies in, from 1 on; 0 for none
   std::vector<bool> in_iron{};        ///< behind the face of the plate, where its mirror says nothing
 };
 
-/// Without `gradient` that is 0. Throws as field().
+/// Computes the field. Without `gradient` the gradients are 0. Throws as field().
 [[nodiscard]] FieldPlaces field_places(std::span<const Body> bodies, const std::optional<Plate>& plate,
                                        std::span<const Eigen::Vector3d> points, bool gradient);
 

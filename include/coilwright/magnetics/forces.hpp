@@ -18,17 +18,19 @@ struct Forces {
   double error{};                       ///< N, the largest error of a force where faces were integrated over; 0 if none
 };
 
-/// Force and torque on each body from all others, in the axes of their poses, each torque about the centre of the body
-/// that it acts on. Each pair is computed once and acts back with equal force and opposite moment.
-/// Coils and round magnets magnetised along their axis act on each other as in wrench(), with its accuracy; other
-/// magnets by the charge of their faces in the closed field of the other body, `error` saying how well. A plate adds
-/// the images of all bodies, a body's own included. Of recoil it has the mean over a magnet (Magnet), and between a
-/// coil and a full cylinder magnetised along its axis its place too.
-/// Throws std::invalid_argument for a body that breaks a rule, and for bodies behind the plate's face.
-/// Precondition: bodies do not overlap (overlap()); only coils and round magnets magnetised along their axis may.
+/// Force and torque on each body from all others, in the axes of their poses, each torque about the centre of its body.
+/// Each pair is computed once and acts back with equal force and opposite moment.
+///
+/// Coils and round magnets magnetised along their axis act on each other as in wrench(), with its accuracy. Other
+/// magnets act by the charge of their faces in the closed field of the other body; `error` states the accuracy. A plate
+/// adds the images of all bodies, including a body's own. Recoil is the mean over a magnet (Magnet), and between a coil
+/// and a full cylinder magnetised along its axis also varies from point to point.
+///
+/// Throws std::invalid_argument for a body that breaks a rule, and for bodies behind the plate's face. Precondition:
+/// bodies do not overlap (overlap()); only coils and round magnets magnetised along their axis may.
 [[nodiscard]] Forces forces(std::span<const Body> bodies, const std::optional<Plate>& plate = std::nullopt);
 
-/// Whether wrench() computes what a body does: a coil, or a round magnet magnetised along its axis.
+/// Whether wrench() can compute a body: a coil, or a round magnet magnetised along its axis.
 [[nodiscard]] bool is_axial(const Body& body);
 
 }  // namespace coilwright::magnetics

@@ -13,7 +13,7 @@ struct HingeGeometry {
   double axis_offset{};    ///< m, from the joint to the common axis (h); finite, > 0
 };
 
-/// How the torque of a hinge is found.
+/// The method by which the torque of a hinge is computed.
 enum class Fidelity {
   line_of_centres,  ///< the coaxial force at the distance of the centres, acting along the line through them: the
                     ///< source paper's (20)-(22) with (21) corrected; up to 18 % wrong at 82.5 degrees on its finger
@@ -22,12 +22,13 @@ enum class Fidelity {
 
 /// Distance of the two centres at a joint angle (rad), m: the paper's (22).
 [[nodiscard]] double centre_distance(const HingeGeometry& geometry, double angle);
-/// Its derivative with respect to the angle, m/rad: the arm of the line of centres about the joint.
+/// Derivative of centre_distance() by the angle, m/rad: the arm of the line of centres about the joint.
 [[nodiscard]] double centre_distance_derivative(const HingeGeometry& geometry, double angle);
 
-/// Torque about the joint per ampere of coil current, N m/A, positive when it opens the joint (increases the angle),
-/// which is what repulsion does: +1 A is the sense that repels the magnet, the coil's moment opposite to the magnet's.
-/// `angle` in rad. Throws std::invalid_argument naming the field when the geometry or the angle breaks its rule.
+/// Torque about the joint per ampere of coil current, N m/A. It is positive if it opens the joint (increases the
+/// angle), as repulsion does: +1 A is the sense that repels the magnet, with the coil's moment opposite to the
+/// magnet's. `angle` in rad. Throws std::invalid_argument naming the field if the geometry or the angle breaks its
+/// rule.
 [[nodiscard]] double hinge_torque_per_ampere(const ThickCoil& coil, const CylinderMagnet& magnet,
                                              const HingeGeometry& geometry, Fidelity fidelity, double angle);
 

@@ -15,16 +15,16 @@ struct CylinderSize {
 };
 
 /// Magnetometric demagnetisation factor N of a cylinder magnetised uniformly along its axis, 0 to 1: the mean of its
-/// own field H over its volume is -N M. N = 1 - Nagaoka's coefficient of the solenoid of its shape (docs/theory/
-/// magnetics.md). Throws std::invalid_argument naming the field, the rule and the value.
+/// own field H over its volume is -N M. N = 1 - Nagaoka's coefficient of the solenoid of its shape
+/// (docs/theory/magnetics.md). Throws std::invalid_argument naming the field, the rule and the value.
 [[nodiscard]] double demagnetisation_factor(const CylinderSize& size);
 
-/// What a magnet of remanence 1 and relative recoil permeability `recoil` (>= 1) keeps of its polarisation in its own
-/// field: J / Br = 1 / (1 + (recoil - 1) N), 0 to 1.
+/// Share of its polarisation that a magnet of relative recoil permeability `recoil` (>= 1) keeps in its own field: J /
+/// Br = 1 / (1 + (recoil - 1) N), 0 to 1.
 [[nodiscard]] double recoil_factor(const CylinderSize& size, double recoil);
 
-/// Points at which the worst of the inner field is looked for: 8 radii k R / 8, k = 0 to 7, on the face at -z, then 8
-/// on the face at +z.
+/// Number of points at which the worst of the inner field is searched: 8 radii k R / 8, k = 0 to 7, on the face at -z,
+/// then 8 on the face at +z.
 inline constexpr std::size_t face_points = 16;
 using FaceValues = std::array<double, face_points>;
 
@@ -34,12 +34,12 @@ struct AxialField {
   FaceValues faces{};  ///< at the points above
 };
 
-/// Of a coil with `current` (A) at the origin, in a cylinder whose centre is `distance` (m, finite) along +z. The
-/// bodies must not overlap. Relative error of the mean below 1e-6 from a clearance of 3 % of the larger radius on.
-/// Throws std::invalid_argument for numbers that break their rules.
+/// Field of a coil with `current` (A) at the origin, in a cylinder whose centre is `distance` (m, finite) along +z. The
+/// bodies must not overlap. The relative error of the mean is below 1e-6 if the clearance is at least 3 % of the larger
+/// radius. Throws std::invalid_argument for numbers that break their rules.
 [[nodiscard]] AxialField axial_field(const ThickCoil& coil, double current, const CylinderSize& within,
                                      double distance);
-/// Of a magnet at the origin with its moment along +z: H outside it, likewise.
+/// Field H outside a magnet at the origin with its moment along +z, in the same kind of cylinder.
 [[nodiscard]] AxialField axial_field(const CylinderMagnet& magnet, const CylinderSize& within, double distance);
 
 /// Local demagnetisation factors on the faces of a cylinder, just inside: H = -N M there.

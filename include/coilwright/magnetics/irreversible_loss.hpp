@@ -4,29 +4,30 @@
 
 namespace coilwright::magnetics {
 
-/// How a magnet leaves its recoil line: M = M0 + chi H down to a knee, then straight through 0.95 M0 at 0.95 HcJ (a
-/// squareness as sintered NdFeB has it: makers guarantee 0.9, and 0.99 is a good one) to 0 at -HcJ and beyond.
+/// The curve on which a magnet leaves its recoil line: M = M0 + chi H down to a knee, then straight through 0.95 M0 at
+/// 0.95 HcJ to 0 at -HcJ and beyond. The squareness is typical of sintered NdFeB: makers guarantee 0.9, and 0.99 is a
+/// good one.
 struct DemagnetisationCurve {
   double magnetisation{};   ///< M0 = Br / mu0, A/m; finite, >= 0
   double coercivity{};      ///< HcJ, A/m; finite; at 0 and below nothing holds
   double susceptibility{};  ///< chi of the recoil line, recoil permeability less 1; >= 0
 
-  /// 1 - |H| / HcJ above which every curve is on its recoil line: the knee of chi = 0, the others' are lower.
+  /// The margin 1 - |H| / HcJ above which every curve is on its recoil line: the knee for chi = 0; the others are
+  /// lower.
   static constexpr double knee_margin = 1.0 / 19.0;
 
-  /// M at an inner field H (A/m, against the magnetisation below 0) that the magnet meets for the first time, A/m;
-  /// never below -M0.
+  /// Magnetisation M at an inner field H (A/m, negative against the magnetisation) that the magnet meets for the first
+  /// time, A/m; never below -M0.
   [[nodiscard]] double at(double field) const noexcept;
 };
 
-/// Share of its moment that an axially magnetised cylinder loses for good, 0 to 2, in its own field and an `outside`
-/// field, A/m, positive along the magnetisation, known on its faces and taken as linear between them.
+/// Share of its moment, 0 to 2, that an axially magnetised cylinder loses for good in its own field and a field
+/// `outside`, A/m, positive along the magnetisation, which is given on its faces and taken as linear between them.
 ///
-/// The magnet is cut into 8 rings by 10 discs, each uniformly magnetised in the field of all others; every cell sits on
-/// the curve, and what it keeps is M - chi H, the recoil line's value at H = 0. This is the ballistic problem with a
-/// knee; transverse fields are left out. Twice as many cells each way change a loss below 50 % by less than 0.2 %
-/// of the moment. Derivation, checks: docs/theory/magnetics.md, "Irreversible loss". Throws std::invalid_argument
-/// naming the rule for a size or curve outside the ranges above.
+/// The magnet is cut into 8 rings by 10 discs, each uniformly magnetised in the field of all others. Every cell sits on
+/// the curve; it keeps M - chi H, the recoil line's value at H = 0. Transverse fields are left out. Twice as many cells
+/// each way change a loss below 50 % by less than 0.2 % of the moment. Derivation, checks: docs/theory/magnetics.md,
+/// "Irreversible loss". Throws std::invalid_argument naming the rule for a size or curve outside the ranges above.
 [[nodiscard]] double irreversible_loss(const CylinderSize& size, const DemagnetisationCurve& curve,
                                        const FaceValues& outside);
 

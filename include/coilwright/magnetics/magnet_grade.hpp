@@ -25,7 +25,7 @@ struct MagnetGrade {
   [[nodiscard]] double coercivity_at(double temperature) const noexcept;
 };
 
-/// Every grade, by class (no letter, M, H, SH) and then by remanence. Lives as long as the program.
+/// Every grade, by class (no letter, M, H, SH) and then by remanence. The table lives as long as the program.
 [[nodiscard]] std::span<const MagnetGrade> magnet_grades() noexcept;
 
 /// The grade of that name; nullptr if there is none.

@@ -2,7 +2,7 @@
 
 namespace coilwright::magnetics {
 
-/// Where the current of a thick coil is taken to flow. The total is turns_radial * turns_axial turns in each case;
+/// The assumed distribution of the current in a thick coil. The total is turns_radial * turns_axial turns in each case;
 /// on the prototype finger the three differ by 1.05 % in force.
 enum class CurrentDistribution {
   paper_shells,   ///< turns_radial thin shells from the inner to the outer radius, both included (a single one: at the
@@ -23,7 +23,7 @@ class ThickCoil {
     int turns_axial{};                                           ///< turns in each layer, dimensionless; >= 1
     CurrentDistribution winding = CurrentDistribution::uniform;  ///< where the current flows
   };
-  /// Throws std::invalid_argument naming the field, the rule and the value received.
+  /// Makes the coil. Throws std::invalid_argument naming the field, the rule and the value received.
   explicit ThickCoil(const Spec& spec);
 
   [[nodiscard]] double inner_radius() const noexcept { return spec_.inner_radius; }  ///< m

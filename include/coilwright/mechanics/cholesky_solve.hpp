@@ -4,9 +4,9 @@
 
 namespace coilwright::mechanics {
 
-/// x <- L^-1 x, in place, with L lower triangular in the lower triangle of `factor`, (n, n): Eigen::LLT::matrixLLT().
-/// In loops, for the few rows of a contact problem: Eigen's own solution, made for many, took a tenth of a step of the
-/// crawling robot. `x` has n elements.
+/// Solves x <- L^-1 x in place, with L lower triangular in the lower triangle of `factor`, (n, n):
+/// Eigen::LLT::matrixLLT(). Plain loops suit the few rows of a contact problem: Eigen's own solution, made for many
+/// rows, took a tenth of a step of the crawling robot. `x` has n elements.
 template <typename Matrix, typename Vector>
 inline void solve_lower(const Matrix& factor, Vector&& x) {
   const Eigen::Index n = factor.rows();
@@ -16,7 +16,7 @@ inline void solve_lower(const Matrix& factor, Vector&& x) {
   }
 }
 
-/// x <- L^-T x, in place: after solve_lower the solution of L L^T x = b.
+/// Solves x <- L^-T x in place: after solve_lower the solution of L L^T x = b.
 template <typename Matrix, typename Vector>
 inline void solve_upper(const Matrix& factor, Vector&& x) {
   const Eigen::Index n = factor.rows();

@@ -9,7 +9,7 @@
 
 namespace coilwright::mechanics {
 
-/// The most generalised coordinates of a system with contacts: two of the longest chains and two bodies.
+/// The largest number of generalised coordinates of a system with contacts: two of the longest chains and two bodies.
 inline constexpr int max_coordinates = 2 * max_joints + 8;
 
 /// One value per generalised coordinate.
@@ -31,7 +31,7 @@ struct Contact {
   DirectionalFriction friction{};
 };
 
-/// What one contact does in a step.
+/// Impulses and state of one contact in a step.
 struct ContactImpulse {
   double normal{};         ///< N s (N m s where the row is of an angle), >= 0
   double tangential{};     ///< along +tangent; between -along and +against times the normal impulse
@@ -39,27 +39,27 @@ struct ContactImpulse {
   double sliding_speed{};  ///< after the step, m/s
 };
 
-/// Velocities after a step, and the impulses that made them.
+/// Velocities after a step, and the impulses that caused them.
 struct ContactStep {
   CoordinateVector velocities;
   std::vector<ContactImpulse> impulses;  ///< one per contact, in their order
 };
 
-/// Velocities v and impulses p of one step with unilateral contacts and dry friction, without restitution:
-///   mass (v - free_velocity) = sum of normal_i n_i + tangent_i t_i,   0 <= n_i, 0 <= normal speed, one of them zero,
-///   -along n_i <= t_i <= against n_i, and what slides is resisted by all that the friction gives.
+/// Velocities v and impulses p of one step with unilateral contacts and dry friction, without restitution: mass (v -
+/// free_velocity) = sum of normal_i n_i + tangent_i t_i, 0 <= n_i, 0 <= normal speed, one of them zero, -along n_i <=
+/// t_i <= against n_i, and a contact that slides is resisted by all that the friction gives.
 ///
-/// `mass` is (n, n), symmetric and positive definite; `free_velocity` is where the step would end without contacts.
-/// Moreau, Numerical aspects of the sweeping process, Comput. Methods Appl. Mech. Eng. 177 (1999) 329. In the plane
-/// this is a linear complementarity problem, solved exactly by Lemke's method: Stewart and Trinkle, Int. J. Numer.
-/// Methods Eng. 39 (1996) 2673. Where several impulses give the same motion (a table of four legs), one of them is
-/// given; the velocities are then the same. Pure. Throws std::invalid_argument naming field, rule and value, and
-/// std::runtime_error where the method finds no answer that keeps all conditions to 1e-8 of the largest speed, or to
-/// 1e-5 where a body is wedged so that rigid contacts would hold it by impulses without measure.
+/// `mass` is (n, n), symmetric and positive definite; `free_velocity` is the velocity at the end of the step without
+/// contacts. Moreau, Numerical aspects of the sweeping process, Comput. Methods Appl. Mech. Eng. 177 (1999) 329. In the
+/// plane this is a linear complementarity problem, solved exactly by Lemke's method: Stewart and Trinkle, Int. J.
+/// Numer. Methods Eng. 39 (1996) 2673. If several impulses give the same motion (a table of four legs), one of them is
+/// returned. Pure. Throws std::invalid_argument naming field, rule and value, and std::runtime_error if the method
+/// finds no answer that keeps all conditions to 1e-8 of the largest speed, or to 1e-5 for a wedged body that rigid
+/// contacts would hold by unbounded impulses.
 [[nodiscard]] ContactStep contact_impulses(const CoordinateMatrix& mass, const CoordinateVector& free_velocity,
                                            std::span<const Contact> contacts);
 
-/// The same of a mass matrix that is factorised already.
+/// The same with a mass matrix that is factorised already.
 [[nodiscard]] ContactStep contact_impulses(const Eigen::LLT<CoordinateMatrix>& mass,
                                            const CoordinateVector& free_velocity, std::span<const Contact> contacts);
 

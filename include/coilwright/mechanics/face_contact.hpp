@@ -4,8 +4,8 @@ namespace coilwright::mechanics {
 
 /// Two segment faces that meet when their joint closes: a unilateral rotary spring and damper.
 ///
-/// The faces push and never pull. Penetration p = closing_angle - theta; for p > 0 the opening torque is
-/// max(0, stiffness p - damping theta'), N m. The damper makes a bounce lossy without a separate restitution law; the
+/// The faces push and never pull. With the penetration p = closing_angle - theta > 0 the opening torque is max(0,
+/// stiffness p - damping theta'), N m. The damper makes a bounce lossy without a separate law of restitution; the
 /// torque jumps at first touch only if the faces meet at speed.
 struct FaceContact {
   double closing_angle{};  ///< joint angle at which the faces meet, rad; <= 0 for faces that are apart at rest
@@ -20,7 +20,7 @@ struct FaceContact {
     return push > 0.0 ? push : 0.0;
   }
 
-  /// -d(torque)/d(angle) of the spring alone, N m/rad.
+  /// Negative slope of the torque by the angle, of the spring alone, N m/rad.
   [[nodiscard]] double tangent_stiffness(double angle) const noexcept {
     return angle < closing_angle ? stiffness : 0.0;
   }
@@ -32,8 +32,8 @@ struct FaceContact {
   }
 };
 
-/// Damping of a contact over its critical damping: it rebounds with about 40 % of its speed, as silicone on silicone
-/// that bounces once and rests. Approximate; it decides how a joint rings at its stop, not where it stops.
+/// Damping of a contact over its critical damping: it rebounds with about 40 % of its speed, as silicone does that
+/// bounces once and rests. Approximate; it decides how a joint rings at its stop, not where it stops.
 inline constexpr double contact_damping_ratio = 0.3;
 
 /// Damping of a contact of `stiffness` (N m/rad) at a joint of `mobility` (PlanarChain::joint_mobility(), 1/(kg m^2)),
@@ -48,9 +48,9 @@ struct FaceWalls {
   double young_modulus{};  ///< Pa
 };
 
-/// Rotary stiffness of the pressed walls, N m/rad: every strip at height y is a column strained by y theta / t, so
-/// k = E w H^3 / (3 t). Bulging is free (no lateral confinement), strain small; both err by tens of per cent, and what
-/// matters is only that the wall is thousands of times stiffer than the hinge (prototype: 6e3).
+/// Rotary stiffness of the pressed walls, N m/rad: every strip at height y is a column strained by y theta / t, so k =
+/// E w H^3 / (3 t). Bulging is free (no lateral confinement) and the strain is small; both err by tens of per cent. It
+/// suffices that the wall is thousands of times stiffer than the hinge (prototype: 6e3).
 [[nodiscard]] double wall_stiffness(const FaceWalls& walls);
 
 }  // namespace coilwright::mechanics

@@ -4,7 +4,7 @@
 
 namespace coilwright::mechanics {
 
-/// The longest chain that can be built, in joints. Fixed so that no evaluation touches the heap.
+/// The largest number of joints of a chain. It is fixed so that no evaluation allocates on the heap.
 inline constexpr int max_joints = 16;
 
 /// One value per joint, base to tip.

@@ -2,13 +2,13 @@
 
 namespace coilwright::mechanics {
 
-/// Solution of A x = b with A (n, n) symmetric and positive definite, for the few rows of a chain: in three loops,
-/// since Eigen's decompositions of a matrix whose size is only known at run time cost more than the rest of a
-/// right-hand side of two joints. No pivoting, no heap. Where A is not positive definite the results are not finite or
-/// have no meaning.
+/// Factorises A for the solution of A x = b, with A (n, n) symmetric and positive definite, for the few rows of a
+/// chain: in three loops, because Eigen's decompositions of matrices of run-time size cost more than the rest of the
+/// right-hand side of two joints. No pivoting, no heap. If A is not positive definite the results are not finite or
+/// meaningless.
 ///
-/// A = U^T D U with U upper triangular, ones on its diagonal. Reads and writes the upper triangle of `a` only: U above
-/// the diagonal, the inverse of D on it.
+/// A = U^T D U with U upper triangular and ones on its diagonal. Reads and writes only the upper triangle of `a`: U
+/// above the diagonal, the inverse of D on it.
 template <typename Matrix>
 inline void factorize_ldlt(Matrix& a, int n) {
   for (int j = 0; j < n; ++j) {
@@ -22,14 +22,14 @@ inline void factorize_ldlt(Matrix& a, int n) {
   }
 }
 
-/// x <- U^-T x, in place, with the factors of factorize_ldlt; `x` has n elements.
+/// Solves x <- U^-T x in place, with the factors of factorize_ldlt; `x` has n elements.
 template <typename Matrix, typename Vector>
 inline void solve_lower_ldlt(const Matrix& factors, int n, Vector&& x) {
   for (int j = 0; j < n; ++j)
     for (int k = j + 1; k < n; ++k) x[k] -= factors(j, k) * x[j];
 }
 
-/// x <- U^-1 D^-1 x, in place: after solve_lower_ldlt, the solution.
+/// Solves x <- U^-1 D^-1 x in place: after solve_lower_ldlt, the solution of A x = b.
 template <typename Matrix, typename Vector>
 inline void solve_upper_ldlt(const Matrix& factors, int n, Vector&& x) {
   for (int j = 0; j < n; ++j) x[j] *= factors(j, j);

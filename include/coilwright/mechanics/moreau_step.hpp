@@ -9,17 +9,17 @@
 
 namespace coilwright::mechanics {
 
-/// Gap below which a contact counts as closed, m. What rests on the ground would leave it for a step at a time by the
-/// rounding of its height otherwise; no gap of interest is as small.
+/// Gap below which a contact counts as closed, m. Without it the rounding of its height would lift a resting body for a
+/// step at a time; no gap of interest is as small.
 inline constexpr double closed_gap = 1e-9;
 
-/// What lands moves at most so far in the step in which it does, m. Moreau's rule stops a body where it finds it at the
-/// middle of a step, up to half of its way behind the other's face, and leaves it there: with fingertips that come at
-/// 0.7 m/s, 70 um at 0.2 ms, which was 2 % of the force of the grip; feet of the crawling robot came too late.
+/// Largest way of a landing body in the step in which it lands, m. Moreau's rule stops a body where it finds it at the
+/// middle of a step, up to half of its way behind the other's face, and leaves it there: fingertips that come at 0.7
+/// m/s end 70 um behind at steps of 0.2 ms, which is 2 % of the force of the grip.
 inline constexpr double landing_way = 1e-5;
 
 /// Whether something that is `gap`, m, away from a face in the middle of a step of `step`, s, and comes nearer at
-/// `approach`, m/s, lands in it further than `most`, m.
+/// `approach`, m/s, moves by more than `most`, m, beyond the face in it.
 [[nodiscard]] inline bool lands_too_fast(double gap, double approach, double step, double most = landing_way) {
   const double way = approach * step;
   return way > most && gap < 0.5 * way;
@@ -34,7 +34,7 @@ struct MiddleOfStep {
   bool lands{};                   ///< whether something lands in the step for which lands_too_fast() is true
 };
 
-/// The end of a step, and what happened in it.
+/// The end of a step, and its contacts.
 struct MoreauStep {
   CoordinateVector position;
   CoordinateVector velocity;
@@ -43,7 +43,7 @@ struct MoreauStep {
   std::vector<ContactImpulse> impulses;  ///< of these, in their order
 };
 
-/// The end of a step of `step`, s, from a system at its middle, `middle`, that began with `velocity`.
+/// The end of a step of `step`, s, that began with `velocity`, from the system at its middle, `middle`.
 [[nodiscard]] inline MoreauStep end_of_step(const CoordinateVector& middle, const CoordinateVector& velocity,
                                             double step, MiddleOfStep system) {
   const Eigen::LLT<CoordinateMatrix> mass(system.mass);
@@ -58,9 +58,9 @@ struct MoreauStep {
           .impulses = std::move(after.impulses)};
 }
 
-/// One step of Moreau's midpoint rule: positions to the middle, velocities by forces and contact impulses there,
-/// positions to the end. `at_middle(position, velocity)` gives MiddleOfStep. First order in `step`, s, wherever
-/// contacts change. Source: Moreau as contact_impulses(); Jean, Comput. Methods Appl. Mech. Eng. 177 (1999) 235.
+/// Takes one step of Moreau's midpoint rule: positions to the middle, velocities by forces and contact impulses there,
+/// positions to the end. `at_middle(position, velocity)` gives MiddleOfStep. First order in `step`, s, where contacts
+/// change. Source: Moreau as contact_impulses(); Jean, Comput. Methods Appl. Mech. Eng. 177 (1999) 235.
 template <class AtMiddle>
 [[nodiscard]] MoreauStep moreau_step(const CoordinateVector& position, const CoordinateVector& velocity, double step,
                                      AtMiddle&& at_middle) {
@@ -68,8 +68,9 @@ template <class AtMiddle>
   return end_of_step(middle, velocity, step, std::forward<AtMiddle>(at_middle)(middle, velocity));
 }
 
-/// A step of `step`, s, in halves until nothing lands too fast in any of them: moves `position` and `velocity`, and
-/// hands each part to `take(MoreauStep, its duration)`. `at_middle(position, velocity, duration)` gives MiddleOfStep.
+/// Takes a step of `step`, s, and halves it until nothing lands too fast in any part. It moves `position` and
+/// `velocity`, and passes each part to `take(MoreauStep, its duration)`. `at_middle(position, velocity, duration)`
+/// gives MiddleOfStep.
 template <class AtMiddle, class Take>
 void advance_to_landings(CoordinateVector& position, CoordinateVector& velocity, double step, const AtMiddle& at_middle,
                          const Take& take) {

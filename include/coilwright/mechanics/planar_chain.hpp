@@ -8,17 +8,17 @@
 
 namespace coilwright::mechanics {
 
-/// A rigid segment of the chain. Along: from its own joint to the next along the hinge line. Offset: across it, towards
-/// the side on which the chain's joints open.
+/// A rigid segment of the chain. "Along" is the direction from its own joint to the next along the hinge line, "offset"
+/// the direction across it, towards the side on which the chain's joints open.
 struct Link {
   double length{};      ///< own joint to next joint, m; finite, >= 0
   double com_along{};   ///< centre of mass along the link, m; finite
   double com_offset{};  ///< centre of mass across the link, m; finite (the paper's h)
   double mass{};        ///< kg; finite, > 0
   double inertia{};     ///< about the centre of mass, kg m^2; finite, >= 0
-  /// Of a rotor that a gear turns with the own joint, as the joint feels it (gear ratio squared times the rotor's),
-  /// kg m^2; finite, >= 0. Its energy is half of this times the joint's rate squared; what the carrying link turns it
-  /// by, smaller by the ratio, belongs to the link's inertia. A FloatingChain has none.
+  /// Inertia of a rotor that a gear turns with the own joint, as the joint feels it (gear ratio squared times the
+  /// rotor's), kg m^2; finite, >= 0. Its energy is half of this times the joint's rate squared. The part that turns
+  /// with the carrying link is smaller by the ratio and belongs to that link's inertia. A FloatingChain has none.
   double rotor_inertia{};
 };
 
@@ -29,10 +29,10 @@ struct LinkPoint {
   double offset{};  ///< m
 };
 
-/// d(x, y)/dtheta of a point, (2, n), m/rad.
+/// Jacobian d(x, y)/dtheta of a point, (2, n), m/rad.
 using PointJacobian = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, max_joints>;
 
-/// Where a link is: its own joint, m, and sine and cosine of its absolute angle.
+/// Place of a link: its own joint, m, and sine and cosine of its absolute angle.
 struct LinkFrame {
   Eigen::Vector2d joint;
   double sine{};
@@ -45,11 +45,11 @@ struct LinkFrame {
   }
 };
 
-/// The base (as link -1), then every link: frame of link i at index i + 1. Those of a shorter chain end earlier.
+/// The base (as link -1), then every link: the frame of link i has index i + 1. Those of a shorter chain end earlier.
 using LinkFrames = std::array<LinkFrame, max_joints + 1>;
 
-/// Slopes of a chain's equation of motion M theta'' + c + g = tau about one motion: what small changes of
-/// accelerations, rates and angles ask for in further joint torque. (n, n) each; none but the first is symmetric.
+/// Slopes of a chain's equation of motion M theta'' + c + g = tau about one motion: the further joint torque for small
+/// changes of accelerations, rates and angles. (n, n) each; only the first is symmetric.
 struct ChainSlopes {
   JointMatrix by_acceleration;  ///< the mass matrix M, kg m^2
   JointMatrix by_rate;          ///< dc/dtheta', N m s/rad
@@ -58,15 +58,15 @@ struct ChainSlopes {
 
 /// n rigid links in a vertical plane, joined by hinges, hanging from a fixed base joint at the origin.
 ///
-/// Joint angles are relative, rad, all zero where the chain hangs along gravity (-y). A point at (along, offset) of a
-/// link with absolute angle phi lies at its joint + along (sin phi, -cos phi) + offset (-cos phi, -sin phi). For two
-/// links of equal com_offset h this is (1)-(12) of the paper without the spring and damper terms of (11) and (12),
-/// which belong to the hinge. Immutable; copies are cheap; no heap.
+/// Joint angles are relative, rad, all zero if the chain hangs along gravity (-y). A point at (along, offset) of a link
+/// with absolute angle phi lies at its joint + along (sin phi, -cos phi) + offset (-cos phi, -sin phi). For two links
+/// of equal com_offset h this is (1)-(12) of the paper without the spring and damper terms of (11) and (12), which
+/// belong to the hinge. Immutable; copies are cheap; no heap.
 class PlanarChain {
  public:
-  /// Throws std::invalid_argument naming link, field, rule and value.
-  /// `gravity` in m/s^2, finite, >= 0. `base_tilt` in rad, finite: the whole chain is turned by it towards opening, so
-  /// link j makes the angle phi_j + base_tilt with gravity; positions stay in the frame of the base.
+  /// Takes the links. Throws std::invalid_argument naming link, field, rule and value. `gravity` in m/s^2, finite, >=
+  /// 0. `base_tilt` in rad, finite, turns the whole chain towards opening: link j makes the angle phi_j + base_tilt
+  /// with gravity, and positions stay in the frame of the base.
   explicit PlanarChain(std::span<const Link> links, double gravity = 9.81, double base_tilt = 0.0);
 
   [[nodiscard]] int joints() const noexcept { return joints_; }
@@ -89,10 +89,10 @@ class PlanarChain {
 
   /// Gravity torques g = dV/dtheta, N m: (12) of the paper without k.
   [[nodiscard]] JointVector gravity_torques(const JointVector& angles) const;
-  /// Both, for the work of one.
+  /// Sum of velocity_torques() and gravity_torques(), at the cost of one.
   [[nodiscard]] JointVector bias_torques(const JointVector& angles, const JointVector& rates) const;
 
-  /// dg/dtheta, (n, n), N m/rad, symmetric: gravity's part of the stiffness.
+  /// Slope of the gravity torques, dg/dtheta, (n, n), N m/rad, symmetric: gravity's part of the stiffness.
   [[nodiscard]] JointMatrix gravity_stiffness(const JointVector& angles) const;
 
   /// theta'' = M^-1 (tau - c - g), rad/s^2, for joint torques tau (magnetics, springs, dampers, contact), N m.
@@ -103,9 +103,8 @@ class PlanarChain {
   [[nodiscard]] ChainSlopes slopes(const JointVector& angles, const JointVector& rates,
                                    const JointVector& accelerations) const;
 
-  /// Acceleration of each joint by a torque of its own while the others are free to give way: the diagonal of the
-  /// inverse mass matrix of the straight chain, 1/(kg m^2), > 0. How stiff a contact or a regularisation may be on this
-  /// rig follows from it.
+  /// Acceleration of each joint by a torque of its own while the others move freely: the diagonal of the inverse mass
+  /// matrix of the straight chain, 1/(kg m^2), > 0. It limits the stiffness of a contact or a regularisation.
   [[nodiscard]] JointVector joint_mobility() const;
 
   /// Kinetic energy, J.
@@ -117,12 +116,12 @@ class PlanarChain {
   /// Position (x, y) of a point, m.
   [[nodiscard]] Eigen::Vector2d position(const LinkPoint& point, const JointVector& angles) const;
 
-  /// Where all links are: for many points at one pose.
+  /// The places of all links at one pose, for many points.
   [[nodiscard]] LinkFrames frames(const JointVector& angles) const;
 
   /// d(position)/dtheta, (2, n), m/rad.
   [[nodiscard]] PointJacobian jacobian(const LinkPoint& point, const JointVector& angles) const;
-  /// The same of a chain whose frames() are known.
+  /// The Jacobian for a chain whose frames() are known.
   [[nodiscard]] PointJacobian jacobian(const LinkPoint& point, const LinkFrames& frames) const;
 
  private:

@@ -8,8 +8,8 @@
 
 namespace coilwright::page {
 
-/// The beginning of a specification of Vega-Lite: a view as wide as its place, `height` pixels high, that stays within
-/// its size by `autosize` ("fit", "fit-x"). `resizes`: looks again where its data change.
+/// The beginning of a specification of Vega-Lite: a view as wide as its place and `height` pixels high, which stays
+/// within its size by `autosize` ("fit", "fit-x"). If `resizes`, it is laid out again when its data change.
 [[nodiscard]] text::Json vega_lite(const std::string& description, std::size_t height, bool resizes,
                                    const char* autosize = "fit");
 
@@ -23,7 +23,7 @@ enum class Mark {
   level    ///< a line across at the one value of y; x is empty
 };
 
-/// Some numbers under one name.
+/// Numbers with a common name.
 struct Series {
   std::string name;  ///< with its unit, as the legend has it; unique in its chart
   std::vector<double> x{};
@@ -42,15 +42,15 @@ struct Chart {
   std::string x_title;  ///< with its unit
   std::string y_title;  ///< with its unit
   std::vector<Series> series{};
-  /// Names by whose order colours are given, where figures share series: each has its colour also where others are
-  /// missing. Empty: that of the series.
+  /// Names whose order assigns the colours, for figures that share series: each series has the same colour in all of
+  /// them. Empty: the order of the series.
   std::vector<std::string> colour_order{};
   AxisScale x_scale = AxisScale::linear;  ///< logarithmic: every x > 0
   AxisScale y_scale = AxisScale::linear;  ///< logarithmic: every y > 0
 };
 
-/// The chart as Vega-Lite, and its numbers as a table. Every number of the specification is one of the series, as it
-/// is; a table of more than 400 rows has an even choice of them, and says so.
+/// The chart as Vega-Lite, and its numbers as a table. Every number of the specification is one of the series,
+/// unchanged. A table of more than 400 rows shows an even selection of them and states that.
 [[nodiscard]] Figure figure_of(const Chart& chart);
 
 /// One value with a name.
@@ -68,14 +68,14 @@ struct BarChart {
   std::string value_title;  ///< with its unit
   std::string label_title;
   std::vector<Bar> bars{};  ///< in the order in which they are to be seen
-  /// A symbol at its value on an axis that need not begin at 0, of a shape for each group, instead of a bar.
+  /// Draws a symbol at each value instead of a bar, with one shape for each group, on an axis that need not begin at 0.
   bool symbols{};
 };
 
 /// The bars as Vega-Lite, and as a table.
 [[nodiscard]] Figure figure_of(const BarChart& chart);
 
-/// "12.35": a number to read, of four digits.
+/// A number for people, with four digits: "12.35".
 [[nodiscard]] std::string short_number(double value);
 
 }  // namespace coilwright::page

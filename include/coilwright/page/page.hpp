@@ -9,29 +9,28 @@
 
 namespace coilwright::page {
 
-/// Texts in rows and columns, as they are to be read.
+/// Texts in rows and columns, formatted for reading.
 struct Table {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows{};  ///< each as long as the header
   std::string note{};                            ///< what is not in it; empty: nothing
 };
 
-/// A picture that the program has drawn itself: a complete svg element, which takes its colours from the page's
-/// style.
+/// A picture drawn by the program: a complete svg element, which takes its colours from the page's style.
 struct Drawing {
   std::string svg;
 };
 
-/// A picture in a file of its own: shown as an image, with the style that it brings.
+/// A picture in a file of its own, shown as an image with its own style.
 struct Image {
   std::string svg;
 };
 
-/// A picture with what a reader needs who does not see it.
+/// A picture with the text that replaces it for readers who cannot see it.
 struct Figure {
   std::string id;     ///< "response": of its element, and of its file with --figures; unique in a page
   std::string title;  ///< a phrase
-  /// What is to be seen, in a sentence or two: the text that stands for the picture.
+  /// A description of the picture in a sentence or two, which stands for it.
   std::string description;
   std::variant<text::Json, Drawing, Image> content;  ///< a Vega-Lite specification, or a drawing
   Table table{};                                     ///< its numbers; none where a table beside it has them
@@ -42,25 +41,25 @@ struct Paragraph {
   std::string text;
 };
 
-/// Lines that spaces align, shown as they are.
+/// Lines that are aligned by spaces and shown unchanged.
 struct Listing {
   std::string text;
 };
 
-/// A table that stands for itself.
+/// A table without a picture.
 struct TableBlock {
   std::string caption;
   Table table;
 };
 
-/// A place that the page's script fills: its element has this id and begins with `html`, which is written as it is.
+/// A place that the page's script fills. Its element has this id and begins with `html`, which is written unchanged.
 struct Widget {
   std::string html;
 };
 
 using Block = std::variant<Paragraph, Listing, TableBlock, Figure, Widget>;
 
-/// What stands under one heading.
+/// The content under one heading.
 struct Section {
   std::string id;
   std::string title;
@@ -73,7 +72,7 @@ struct DataBlock {
   std::string json;
 };
 
-/// A report, before it is a file.
+/// A report before it becomes a file.
 struct Page {
   std::string title;
   std::string verdict;                  ///< one sentence, or a few: what comes first

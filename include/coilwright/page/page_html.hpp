@@ -17,7 +17,7 @@ struct Script {
   std::string_view licence;  ///< text of its licence; empty for our own
 };
 
-/// What a page is packed with.
+/// The scripts and the style that are packed into a page.
 struct PageAssets {
   std::span<const Script> scripts;  ///< in the order in which they run
   std::string_view style;           ///< CSS
@@ -26,9 +26,8 @@ struct PageAssets {
 /// A digest of a text, as letters and digits: SHA-256 in hexadecimal.
 using Digest = std::function<std::string(std::string_view)>;
 
-/// A page as one HTML file that asks for nothing outside of itself. Its content security policy lets nothing run or
-/// load but its own scripts and style, which carry the digest of the file's content as nonce. Texts are escaped; the
-/// JSON inside of it has no <.
+/// A page as one self-contained HTML file. Its content security policy allows only its own scripts and style, which
+/// carry the digest of the file's content as nonce. Texts are escaped, and its JSON contains no <.
 [[nodiscard]] std::string to_html(const Page& page, const PageAssets& assets, const Digest& digest);
 
 /// A figure of a page as a file of its own.
@@ -37,7 +36,7 @@ struct FigureFile {
   std::string text;
 };
 
-/// Every figure of a page, by its id: a chart as its Vega-Lite specification, which is yet to be drawn; a drawing as
+/// Every figure of a page, by its id: a chart as its Vega-Lite specification, which still has to be drawn; a drawing as
 /// SVG with `style` (the page's CSS) inside.
 [[nodiscard]] std::vector<FigureFile> figure_files(const Page& page, std::string_view style);
 

@@ -18,12 +18,12 @@ struct Pose {
 
 /// A longitudinal section of the body in each pose, hanging from its rear end, all to one scale with a bar of 10 mm in
 /// each. `base_tilt` in rad, towards opening. The angles of the joints stand below each. Throws std::invalid_argument
-/// where a pose has another number of joints than the body.
+/// if a pose has another number of joints than the body.
 [[nodiscard]] std::vector<Figure> pose_figures(const exports::BodyPlan& plan, const std::vector<Pose>& poses,
                                                double base_tilt);
 
 /// Place of a point of the straight body (m along it from its rear end, m above its underside) in a pose: to the right
-/// and down from where the rear end of the underside is, m.
+/// of and below the rear end of the underside, m.
 struct PosedPoint {
   double right{};
   double down{};

@@ -9,7 +9,7 @@
 
 namespace coilwright::report {
 
-/// The ends of the front and its middle as a table, and which limits of their parts its designs break; or the design
+/// The ends of the front and its middle as a table, and the limits of parts that its designs break; or the design
 /// nearest to feasible.
 [[nodiscard]] std::string to_text(const sizing::Study& study, const sizing::ParetoResult& result,
                                   std::span<const sizing::BrokenPartLimit> broken);

@@ -6,12 +6,12 @@
 
 namespace coilwright::report {
 
-/// Of a run whose search came to its end, and which was interrupted behind it.
+/// The stop reason of a run that was interrupted after its search had ended.
 inline constexpr const char* interrupted_after_search =
     "INTERRUPTED when the search was over: what is missing below was not looked at; --resume goes on.";
 
-/// What `size` found, for a person: the best design, the limits that hold it back and what a step of each variable
-/// does.
+/// The results of `size` for a person: the best design, the limits that hold it back and the effect of a step of each
+/// variable.
 [[nodiscard]] std::string to_text(const formats::SizeReport& report);
 
 }  // namespace coilwright::report

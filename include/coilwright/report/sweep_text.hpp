@@ -6,8 +6,8 @@
 
 namespace coilwright::report {
 
-/// The leaders as a table to read: variables, objectives, and what each is best for or, where none is feasible, which
-/// limits it violates; then the counts.
+/// The leaders as a table: variables, objectives, and what each is best for or, if none is feasible, the limits that it
+/// violates; then the counts.
 [[nodiscard]] std::string to_text(const formats::SweepReport& report);
 
 }  // namespace coilwright::report

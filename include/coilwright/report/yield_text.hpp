@@ -6,17 +6,18 @@
 
 namespace coilwright::report {
 
-/// "in every use", or "in 99 % of uses": of a share of the uses, > 0 and <= 1.
+/// A share of the uses in words: "in every use", or "in 99 % of uses"; > 0 and <= 1.
 [[nodiscard]] std::string uses_text(double share);
 
-/// What becomes of a design when it is built, for a person.
+/// The statistics of the builds of a design, for a person.
 [[nodiscard]] std::string to_text(const sizing::Yield& yield);
 
-/// What builds make of the answer of a search that has not seen them: how many keep every limit, and its objective.
+/// The share of builds that keep every limit of a search's answer, and its objective in these builds, which the search
+/// has not seen.
 [[nodiscard]] std::string built_text(const sizing::Yield& yield);
 
-/// A line for each limit that fewer builds of such an answer keep than is asked for, beyond the error of the dice, and
-/// one with the cure; empty where there are none.
+/// A line for each limit that fewer builds of such an answer keep than the study asks for, beyond the error of the
+/// dice, and one with the cure; empty if there are none.
 [[nodiscard]] std::string shortfalls_of_answer_text(const sizing::Yield& yield);
 
 }  // namespace coilwright::report

@@ -7,39 +7,39 @@
 
 namespace coilwright::results {
 
-/// The state of the repository that this program was built from.
+/// The state of the repository from which this program was built.
 struct Commit {
   std::string hash{};   ///< 40 hexadecimal digits; empty where the sources were in no repository of their own
   bool changed{false};  ///< what is built differed from that commit
-  /// SHA-256 over the sources; empty where the commit tells them.
+  /// SHA-256 over the sources; empty if the commit identifies them.
   std::string sources{};
 };
 
-/// Of the sources of this program.
+/// The commit of the sources of this program.
 [[nodiscard]] Commit commit();
 
-/// A library of another project that is built in.
+/// A library of another project that is part of this program.
 struct Library {
   std::string name{};
   std::string version{};  ///< that the build found; "unknown" where its package states none
 };
 
-/// In the order in which the build asks for them.
+/// All such libraries, in the order in which the build finds them.
 [[nodiscard]] std::vector<Library> libraries();
 
-/// Why no page can be made: this build has nothing to draw with. Empty where one can.
+/// Why this build cannot make pages: it lacks the drawing scripts. Empty if it can.
 [[nodiscard]] std::string why_no_page();
 
-/// "0.1.0".
+/// The version of this program: "0.1.0".
 [[nodiscard]] std::string version();
 
-/// "GNU 12.2.0", as CMake calls it.
+/// The compiler, as CMake calls it: "GNU 12.2.0".
 [[nodiscard]] std::string compiler();
 
-/// What --version prints: version, commit, compiler and libraries in three lines, the last without its end.
+/// The output of --version: version, commit, compiler and libraries in three lines, the last without its line end.
 [[nodiscard]] std::string version_text();
 
-/// The same for programs.
+/// The content of version_text() as JSON.
 [[nodiscard]] text::Json version_json();
 
 }  // namespace coilwright::results

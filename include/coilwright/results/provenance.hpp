@@ -11,23 +11,23 @@
 
 namespace coilwright::results {
 
-/// The name of the file in a folder of results that says where they come from.
+/// The name of the file in a folder of results that states their origin.
 inline constexpr const char* provenance_name = "provenance.json";
 
-/// A file that went into a result.
+/// An input file of a result.
 struct InputRecord {
   std::string file{};    ///< the path as it was given; "standard input"
   std::string sha256{};  ///< of its bytes
   std::string text{};    ///< its bytes
 };
 
-/// Of a file that has been read.
+/// The record of a file that has been read.
 [[nodiscard]] InputRecord record_of(const text::InputText& input);
 
-/// Of a file on disk. Throws InputError where it cannot be read.
+/// The record of a file on disk. Throws InputError if it cannot be read.
 [[nodiscard]] InputRecord record_of(const std::filesystem::path& file);
 
-/// What a result rests on beside the program: enough to make it again.
+/// The inputs of a result beside the program, enough to reproduce it.
 struct Provenance {
   std::string command{};                ///< "size"
   std::vector<InputRecord> inputs{};    ///< in the order in which the command names them
@@ -38,27 +38,27 @@ struct Provenance {
 };
 
 /// A number for "the same question": the SHA-256 of a text with a line for the digest of each input and for each
-/// change, in their order. A path, the seed, the threads and the version of the program do not enter.
+/// change, in their order. Paths, seed, threads and the version of the program are not included.
 [[nodiscard]] std::string hash_of(const Provenance& provenance);
 
-/// Writes provenance.json into a folder whose other files are complete: provenance/1, that, the version and the commit
-/// of the program, of each other file its SHA-256, and one of all this. Throws OutputError (writing).
+/// Writes provenance.json into a folder whose other files are complete. provenance/1 has `provenance`, the version and
+/// the commit of the program, the SHA-256 of each other file, and one of all this. Throws OutputError (writing).
 void write_provenance(text::OutputFolder& folder, const Provenance& provenance);
 
-/// What the results of a folder are of, by its provenance.json.
+/// The question that the results of a folder answer, by its provenance.json.
 struct Question {
   std::string sha256{};                 ///< as hash_of()
   std::optional<std::uint64_t> seed{};  ///< nothing where nothing is drawn
 };
-/// Nothing where the folder has no such file. Throws InputError where it cannot be read.
+/// Reads the question of a folder; absent if it has no such file. Throws InputError if it cannot be read.
 [[nodiscard]] std::optional<Question> question_in(const std::filesystem::path& folder);
 
-/// Why nothing tells whether the results of a folder are as they were written: it has no provenance.json, or one by an
-/// earlier version, without digests. Empty where it has them.
+/// Why the results of a folder cannot be checked: it has no provenance.json, or one without digests. Empty if it has
+/// them.
 [[nodiscard]] std::string why_unchecked(const std::filesystem::path& folder);
 
-/// Holds the results of a folder against each other: where it has digests, each file that they name must be as it was
-/// written, and each of `present` must be named. Throws InputError naming the first file that is not.
+/// Checks the results of a folder: if it has digests, each file that they name must be as it was written, and each of
+/// `present` must be named. Throws InputError naming the first file that is not.
 void require_as_written(const std::filesystem::path& folder, std::span<const std::filesystem::path> present);
 
 }  // namespace coilwright::results

@@ -10,14 +10,14 @@
 
 namespace coilwright::simulation {
 
-/// The figures for which an actuator is usually built: those that are held against everything that is not settled.
+/// The figures for which an actuator is usually built. They are compared under every other assumption.
 inline constexpr std::array<std::string_view, 5> main_figures = {"peak_bending_speed_deg_s", "steady_angle_deg",
                                                                  "grasp_force_N", "damping_ratio", "thermal_load"};
 
-/// From what change on a figure rests on something, relative.
+/// Relative change of a figure from which on an assumption matters for it.
 inline constexpr double change_that_matters = 0.02;
 
-/// What a design does at an operating point if something that is not settled is otherwise.
+/// The figures of a design at an operating point if one assumption is otherwise.
 struct ChoiceEffect {
   actuator::OtherChoice choice;
   std::variant<EvaluatedDesign, NoPerformance> result;

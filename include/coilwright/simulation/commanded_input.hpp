@@ -5,11 +5,11 @@
 
 namespace coilwright::simulation {
 
-/// Samples that one motion may have after its first. It is held as a whole, in half a kilobyte a sample, as a synthetic
-/// record in one. Commands, experiments and records beyond it are refused before anything is simulated.
+/// Largest number of samples of one motion after its first. A motion is held as a whole, in half a kilobyte per sample.
+/// Commands, experiments and records beyond it are refused before anything is simulated.
 inline constexpr double most_samples = 1e6;
 
-/// What a command sets: the current in the coils, the voltage across them, or torques at the joints (a rig that is
+/// The commanded quantity: the current in the coils, the voltage across them, or torques at the joints (a rig that is
 /// pushed by hand or by a motor, without magnetics).
 enum class Drive { current, voltage, torque };
 
@@ -19,8 +19,8 @@ enum class Drive { current, voltage, torque };
 /// Whether one value holds for all coils, or each coil has its own.
 enum class Addressing { common, each };
 
-/// What is commanded over time: one row a sample, held until the next (zero order). Independent of a model; what a
-/// model makes of it is model_input()'s to say.
+/// A command over time: one row for each sample, held until the next (zero order). It is independent of a model;
+/// model_input() applies it to one.
 struct CommandedInput {
   Drive drive{};
   Addressing addressing{};                  ///< of a current or a voltage; torques are always one a joint
@@ -28,16 +28,17 @@ struct CommandedInput {
   std::vector<std::vector<double>> rows{};  ///< A, V or N m; a row a time
 };
 
-/// `current` in every coil from time 0, sampled at `interval` for `duration`.
+/// A step to `current` in every coil from time 0, sampled at `interval` for `duration`.
 struct StepInput {
   double current{};   ///< A
   double duration{};  ///< s; > 0
   double interval{};  ///< s; > 0
 };
-/// Throws std::invalid_argument naming the field, the rule and the value; also above `most_samples`.
+/// The command of a step. Throws std::invalid_argument naming the field, the rule and the value; also above
+/// `most_samples`.
 [[nodiscard]] CommandedInput step_command(const StepInput& step);
 
-/// offset + amplitude sin(2 pi f t) in every coil, held between samples: (23) of the paper at 0.7 A and 0.7 A.
+/// A sine, offset + amplitude sin(2 pi f t), in every coil, held between samples: (23) of the paper at 0.7 A and 0.7 A.
 struct SineInput {
   double amplitude{};  ///< A
   double offset{};     ///< A
@@ -45,12 +46,11 @@ struct SineInput {
   double duration{};   ///< s; > 0
   double interval{};   ///< s; > 0
 };
-/// Throws as step_command() does.
+/// The command of a sine. Throws as step_command() does.
 [[nodiscard]] CommandedInput sine_command(const SineInput& sine);
 
-/// The same command with further samples, which hold what it holds, so that none is further than `interval`, s, from
-/// the next; its own stay. Throws as step_command() does, also where those that are there and the further ones are too
-/// many.
+/// Adds samples to a command, which repeat its values, so that none is further than `interval`, s, from the next; its
+/// own samples stay. Throws as step_command() does, also if all samples together are too many.
 [[nodiscard]] CommandedInput sampled_at_least_every(const CommandedInput& command, double interval);
 
 }  // namespace coilwright::simulation

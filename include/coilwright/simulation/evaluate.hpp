@@ -6,18 +6,19 @@
 
 namespace coilwright::simulation {
 
-/// A design at an operating point with everything that is known of it. It refers to nothing outside itself.
+/// A design at an operating point with all its results. It refers to nothing outside itself.
 struct EvaluatedDesign {
   actuator::Design design;
   actuator::Assembly assembly;
   OperatingPoint point;
   Performance performance;
   Settings settings{};  ///< of a study that varies some
-  /// Of this design alone: who changes anything above has to begin with a new one, as with `performance`.
+  /// Results that quantities of this design share. Whoever changes a member above must replace this one, and
+  /// `performance`.
   std::shared_ptr<SharedResults> shared = std::make_shared<SharedResults>();
 
-  /// What the functions of a QuantityTable take: `table.at("mass_g").value(evaluated.view())`. Valid as long as this
-  /// object.
+  /// The argument of the functions of a QuantityTable: `table.at("mass_g").value(evaluated.view())`. Valid as long as
+  /// this object.
   [[nodiscard]] DesignView view() const& {
     return {.design = design,
             .assembly = assembly,
@@ -31,7 +32,7 @@ struct EvaluatedDesign {
 
 /// Assembles a design and computes its performance at an operating point. Pure: the same input gives the same bits.
 /// Throws std::invalid_argument with the first rule that the design breaks or for a duty outside 0 to 1, and
-/// std::runtime_error with the reason where it has no performance.
+/// std::runtime_error with the reason if it has no performance.
 [[nodiscard]] EvaluatedDesign evaluate(actuator::Design design, const OperatingPoint& point);
 
 }  // namespace coilwright::simulation

@@ -8,7 +8,7 @@
 
 namespace coilwright::simulation {
 
-/// How the parts of a finger warm up, from ambient, under the mean load of its operating point.
+/// Temperatures of a finger's parts over time, from ambient, under the mean load of its operating point.
 struct Heating {
   std::vector<double> times{};               ///< s, from 0, even in the logarithm after the first
   std::vector<thermal::NodeVector> means{};  ///< mean temperature of every component, base to tip, degC; a row a time
@@ -16,10 +16,11 @@ struct Heating {
   bool runaway{};  ///< whether there is no steady state: the times then end where it is hot
 };
 
-/// The heating of the free finger at the joint angles where it settles (in a runaway: of its cold step), with the
-/// current of the operating point in every coil for the fraction `duty` of the time: the network of Performance::free's
-/// heat. From a hundredth of the shortest time constant of a part to five of the longest; in a runaway until a part is
-/// 100 K above its limit. `samples` is 2 or more, otherwise std::invalid_argument.
+/// The heating of the free finger at the joint angles where it settles (in a runaway those of its cold step), with the
+/// current of the operating point in every coil for the fraction `duty` of the time, in the network of
+/// Performance::free's heat. The times run from a hundredth of the shortest time constant of a part to five of the
+/// longest; in a runaway until a part is 100 K above its limit. `samples` is 2 or more, otherwise std::invalid_argument
+/// is thrown.
 [[nodiscard]] Heating heating(const EvaluatedDesign& evaluated, std::size_t samples);
 
 }  // namespace coilwright::simulation

@@ -10,9 +10,9 @@
 namespace coilwright::simulation {
 
 /// The state in which `model` rests under constant `currents` (A) and further joint torques `applied` (N m), as a
-/// recorded run finds it: in stable equilibrium, every internal state as InitialHistory::recorded_run has it. A model
-/// without coils and without a stable pose (no springs, no gravity) stays where it is put: straight. Nothing where a
-/// model with coils has no stable pose within reach of the straight one.
+/// recorded run begins: in stable equilibrium, with every internal state as in InitialHistory::recorded_run. A model
+/// without coils and without a stable pose (no springs, no gravity) stays straight. Absent if a model with coils has no
+/// stable pose within reach of the straight one.
 [[nodiscard]] std::optional<State> state_at_rest(const actuator::Model& model, const actuator::CoilCurrents& currents,
                                                  const mechanics::JointVector& applied);
 
@@ -20,10 +20,10 @@ namespace coilwright::simulation {
 /// synthetic data all start here.
 [[nodiscard]] std::optional<State> equilibrium_at_first_input(const actuator::Model& model, const ModelInput& input);
 
-/// Where a simulation starts: at rest under the first sample, or, for a step from there, without current.
+/// The start of a simulation: at rest under the first sample, or, for a step from there, without current.
 enum class Start { first_input, no_current };
 
-/// That state. Throws std::runtime_error where there is none: `who` has no stable pose to start from.
+/// The state at that start. Throws std::runtime_error if there is none: `who` has no stable pose to start from.
 [[nodiscard]] State start_of(const actuator::Model& model, const ModelInput& input, Start start,
                              const std::string& who);
 

@@ -13,7 +13,7 @@ struct Mode {
 };
 
 /// Modes of M x'' + B x' + K x = 0 at `angles` under constant `currents`, slowest first. A pair of complex eigenvalues
-/// is one mode; two real ones of an overdamped motion are two modes of damping ratio 1 with their own rates.
+/// is one mode; the two real ones of an overdamped motion are two modes of damping ratio 1 with their own rates.
 [[nodiscard]] std::vector<Mode> modes(const actuator::Model& model, const mechanics::JointVector& angles,
                                       const actuator::CoilCurrents& currents);
 

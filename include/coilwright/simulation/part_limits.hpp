@@ -9,11 +9,11 @@
 
 namespace coilwright::simulation {
 
-/// Percent of its moment that a magnet may lose for good: what remanences of one grade differ by anyway.
+/// Largest acceptable irreversible loss of a magnet's moment, per cent: the remanences of one grade differ by as much.
 inline constexpr double most_irreversible_loss = 1.0;
 
-/// A limit that a part of the actuator sets by what it is made of, or its supply by the voltage that it has, whatever a
-/// study asks for, at an operating point.
+/// A limit at an operating point that a part of the actuator sets by its material, or the supply by its voltage,
+/// whatever a study asks for.
 struct PartLimit {
   std::string_view quantity;      ///< its name: "magnet_temperature_degC", of a standard quantity or supply_load()
   std::optional<double> value{};  ///< in the unit of that name; nothing in a thermal runaway
@@ -23,18 +23,18 @@ struct PartLimit {
   bool conditional = false;       ///< whether the parts stand more under a condition, which the consequence names
 
   [[nodiscard]] bool is_broken() const noexcept { return !value || (at_most ? *value > limit : *value < limit); }
-  /// Distance from the limit over its scale (its magnitude, or 1 where it is 0), negative where it is broken; -1 where
-  /// there is no value.
+  /// Distance from the limit over its scale (its magnitude, or 1 if that is 0); negative if it is broken, -1 without a
+  /// value.
   [[nodiscard]] double margin() const noexcept;
 };
 
-/// The limits of coils, magnets and wire at the operating point of `design`, of the supply where the point states its
-/// voltage, and the angle at which the faces of its joints touch where some are pressed together. One whose quantity
-/// does not exist for a reason other than a runaway (a magnet without a grade has no coercivity) is left out.
+/// The limits of coils, magnets and wire at the operating point of `design`; that of the supply if the point states its
+/// voltage; and the angle at which the faces of joints touch if some are pressed together. A limit is left out if its
+/// quantity does not exist for another reason than a runaway (a magnet without a grade has no coercivity).
 [[nodiscard]] std::vector<PartLimit> part_limits(const DesignView& design);
 
-/// Those of them that the design breaks; conditional ones only where no other one of the same kind, heat or field, is
-/// broken anyway.
+/// The limits that the design breaks. Conditional ones are included only if no other one of the same kind, heat or
+/// field, is broken.
 [[nodiscard]] std::vector<PartLimit> broken_part_limits(const DesignView& design);
 
 }  // namespace coilwright::simulation

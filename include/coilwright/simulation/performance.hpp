@@ -17,7 +17,7 @@ namespace coilwright::simulation {
 
 using actuator::OperatingPoint;
 
-/// How a free finger moves at one current.
+/// The motion of a free finger at one current.
 struct FreeMotion {
   mechanics::JointVector rest_angles;    ///< hanging without current, rad
   mechanics::JointVector steady_angles;  ///< where a step from rest ends, rad
@@ -31,17 +31,17 @@ struct FreeMotion {
   std::vector<Mode> modes;               ///< at the steady angles, slowest first
 };
 
-/// How a finger pulls whose tip is held.
+/// The force of a finger whose tip is held.
 struct Grasp {
   double grasp_force{};                 ///< against the wall of the operating point, N
   mechanics::JointVector grasp_angles;  ///< of the joints in that grasp, rad
   double contact_force_no_current{};    ///< the same without current, N
 };
 
-/// How a model moves and pulls at one current.
+/// The motion and force of a model at one current.
 struct MotionSummary : FreeMotion, Grasp {};
 
-/// What coils and supply have when coils are as warm as the operating point makes them; nothing in a thermal runaway.
+/// Values of coils and supply with coils as warm as the operating point makes them; absent in a thermal runaway.
 struct Electrics {
   std::optional<double> resistance{};      ///< of the hottest coil, ohm
   std::optional<double> voltage{};         ///< across the hottest coil, V
@@ -52,7 +52,7 @@ struct Electrics {
       driven_current{};  ///< in every coil, that the stated supply drives at most, A; nothing if none is
 };
 
-/// What coils and magnets reach when the operating point is held in one pose.
+/// Temperatures of coils and magnets when the operating point is held in one pose.
 struct Heat {
   std::optional<double> coil_temperature{};    ///< mean of the hottest coil, degC; nothing in a thermal runaway
   std::optional<double> coil_hot_spot{};       ///< its hottest turn, degC; likewise
@@ -68,7 +68,7 @@ struct Heat {
   std::optional<double> ripple{};              ///< of a coil's mean temperature over a period, peak to peak, K
   Electrics electrics{};
 
-  /// What neither coils nor magnets forbid for good, A.
+  /// The largest current that coils and magnets bear for good, A.
   [[nodiscard]] double current_for_good() const noexcept {
     return std::min(continuous_current, magnet_continuous_current);
   }
@@ -86,13 +86,13 @@ struct GrippingCase {
   std::optional<Grasp> grasp{};  ///< at those temperatures; nothing in a thermal runaway that the magnets feel
 };
 
-/// All that is known of a design at an operating point.
+/// All results of a design at an operating point.
 struct Performance {
   MotionSummary cold;  ///< with everything at 20 degC, where remanence and resistance are stated
   FreeCase free;
   GrippingCase gripping;
-  /// Of the magnets in the hotter of the two cases, at the current while on; nothing where the magnets have no grade or
-  /// one case runs away.
+  /// Demagnetisation of the magnets in the hotter of the two cases, at the current while on; absent if the magnets have
+  /// no grade or one case runs away.
   std::optional<actuator::Demagnetisation> demagnetisation{};
   double axial_force{};      ///< of one coil on a magnet at the rest gap, 20 degC, N, positive for repulsion
   double mass{};             ///< kg
@@ -109,14 +109,13 @@ struct NoPerformance {
   std::string reason;
 };
 
-/// Motion of any model as it stands, also one that is given by its lumps alone: magnets have their remanence at 20
-/// degC.
-/// Throws std::invalid_argument for a `grasp` that is none: see blocked_grasp().
+/// The motion of any model as it stands, also of a lumped one; magnets have their remanence at 20 degC. Throws
+/// std::invalid_argument for an invalid `grasp`: see blocked_grasp().
 [[nodiscard]] std::variant<MotionSummary, NoPerformance> motion_of(const actuator::Model& model, double current,
                                                                    const actuator::GraspPoint& grasp = {});
 
-/// Everything of an assembled design. Pure: the same input gives the same bits. Throws std::invalid_argument for a duty
-/// outside 0 to 1.
+/// The performance of an assembled design. Pure: the same input gives the same bits. Throws std::invalid_argument for a
+/// duty outside 0 to 1.
 [[nodiscard]] std::variant<Performance, NoPerformance> performance_of(const actuator::Design& design,
                                                                       const actuator::Assembly& assembly,
                                                                       const OperatingPoint& point);

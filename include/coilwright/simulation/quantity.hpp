@@ -18,11 +18,10 @@
 
 namespace coilwright::simulation {
 
-/// Numbers that are no part of a design and that a study varies beside it, in SI, each by the name of its variable:
-/// "gripper_spacing_mm".
+/// Numbers outside the design that a study varies, in SI, by the name of the variable: "gripper_spacing_mm".
 using Settings = std::map<std::string, double, std::less<>>;
 
-/// A design at an operating point, with everything that is known of it. Refers to values that must outlive it.
+/// A design at an operating point with all its results. Refers to values that must outlive it.
 struct DesignView {
   const actuator::Design& design;
   const actuator::Assembly& assembly;
@@ -32,7 +31,7 @@ struct DesignView {
   SharedResults* shared = nullptr;     ///< where results are kept that several quantities need; nullptr: nowhere
 };
 
-/// The settings of a design; none where its study varies none.
+/// The settings of a design; empty if its study varies none.
 [[nodiscard]] inline const Settings& settings_of(const DesignView& design) {
   static const Settings none;
   return design.settings == nullptr ? none : *design.settings;
@@ -44,12 +43,12 @@ struct NoValue {
   double infeasibility = 1.0;  ///< how far the design is from having one, in any measure of order 1; > 0
 };
 
-/// One number of a design, as results print it and as a study asks for it.
+/// One number of a design, as results print it and as a study may ask for it.
 struct ResultQuantity {
-  /// The value in the unit of the name; no value where the quantity does not exist (a temperature in a thermal
+  /// Returns the value in the unit of the name; absent if the quantity does not exist (a temperature in a thermal
   /// runaway). Pure, and called from several threads at once.
   using Value = std::function<std::optional<double>(const DesignView&)>;
-  /// The same for a model that is given by its lumps alone; current in A.
+  /// Returns the value for a lumped model; current in A.
   using LumpedValue = std::function<std::optional<double>(const MotionSummary& motion, double current)>;
 
   std::string name;               ///< ends with its unit: "mass_g"; without one it is a plain number
@@ -59,42 +58,43 @@ struct ResultQuantity {
   std::string absence{};          ///< why it may have no value, as the end of a sentence; empty if it always has one
   LumpedValue value_of_lumped{};  ///< empty for a quantity that needs a design
   std::string unit{};             ///< the unit at the end of `name` where units::all_units() lacks it: "N_g"
-  /// The pose that it is a figure of, under current; nothing for what is known without a pose (mass) or stands for
+  /// The pose to which the figure belongs, under current. Absent for quantities without a pose (mass) and for those of
   /// whichever poses the operating point is held in (thermal_load).
   std::optional<actuator::HeldCases> pose{};
-  /// Why it has none in a design without a value, where that differs from design to design; empty: always `absence`.
+  /// Explains why the quantity has no value in a design, if the reason differs between designs. Empty: it is always
+  /// `absence`.
   std::function<NoValue(const DesignView&)> why_absent{};
-  /// Whether it tells what lasts (heat, lost magnetisation) or whether a build can be driven at all. What is said of a
-  /// build is then said of the worst of its uses; of other quantities it is of one use.
+  /// Whether the quantity describes something that lasts (heat, lost magnetisation) or whether a build can be driven at
+  /// all. A build is then judged by the worst of its uses, otherwise by one use.
   bool in_every_use{};
 };
 
-/// The quantity as one that is said of the worst of all uses.
+/// Returns the quantity as one that is judged by the worst of all uses.
 [[nodiscard]] inline ResultQuantity of_every_use(ResultQuantity quantity) {
   quantity.in_every_use = true;
   return quantity;
 }
 
-/// Both poses together; nothing where neither is one.
+/// The poses of both arguments together; absent if neither has one.
 [[nodiscard]] std::optional<actuator::HeldCases> either(std::optional<actuator::HeldCases> one,
                                                         std::optional<actuator::HeldCases> other);
 
-/// Throws std::invalid_argument naming the quantity and the rule it breaks: a name or a meaning that is empty, a scale
-/// that is not finite and > 0, a `value` that is empty.
+/// Throws std::invalid_argument naming the quantity and the rule that it breaks: an empty name or meaning, a scale that
+/// is not finite and > 0, an empty `value`.
 void validate_quantity(const ResultQuantity& quantity);
 
-/// Quantities in the order in which results print them, each under a name of its own. An immutable value; copies are
-/// cheap and share their rows.
+/// Quantities in the order in which results print them, with unique names. An immutable value; copies are cheap and
+/// share their rows.
 class QuantityTable {
  public:
-  /// Throws std::invalid_argument as `validate_quantity`, and for a name that is there twice.
+  /// Makes the table. Throws std::invalid_argument as `validate_quantity`, and for a name that occurs twice.
   explicit QuantityTable(std::vector<ResultQuantity> rows);
   // Copies only: a moved-from table would have no rows.
   QuantityTable(const QuantityTable&) = default;
   QuantityTable& operator=(const QuantityTable&) = default;
   ~QuantityTable() = default;
 
-  /// This table with one more quantity at its end. Throws as the constructor.
+  /// Returns this table with one more quantity at its end. Throws as the constructor.
   [[nodiscard]] QuantityTable with(ResultQuantity quantity) const;
 
   /// The quantity of that name; nullptr if there is none. It lives as long as any copy of the table.
@@ -106,7 +106,7 @@ class QuantityTable {
   const ResultQuantity& at(std::string_view name) const&& = delete;
 
   [[nodiscard]] std::size_t size() const noexcept { return rows_->size(); }
-  /// The quantity at a place in the order of the table, index < size().
+  /// The quantity at an index of the table, index < size().
   [[nodiscard]] const ResultQuantity& operator[](std::size_t index) const { return (*rows_)[index]; }
   [[nodiscard]] auto begin() const noexcept { return rows_->begin(); }
   [[nodiscard]] auto end() const noexcept { return rows_->end(); }
@@ -116,8 +116,8 @@ class QuantityTable {
 };
 
 /// The angles of single joints, which evaluate prints as lists: "joint1_angle_deg" at the end of a step from rest and
-/// "rest_joint1_angle_deg" without current, of every joint that a chain may have, base to tip. No part of
-/// standard_quantities(): studies add those that are asked for. A shorter actuator has no value of the others.
+/// "rest_joint1_angle_deg" without current, for every joint that a chain may have, base to tip. They are not part of
+/// standard_quantities(); studies add those that are asked for. A shorter actuator has no value for the others.
 [[nodiscard]] std::span<const ResultQuantity> joint_quantities();
 
 /// The quantities that `evaluate` prints. A program adds its own by `standard_quantities().with(...)`.

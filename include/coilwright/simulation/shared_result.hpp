@@ -11,17 +11,17 @@ namespace coilwright::simulation {
 
 struct DesignView;
 
-/// Where the results are kept that several quantities of one design need: a gripper's grasp has a margin, a closing
-/// time and forces. Safe to use from several threads.
+/// Results that several quantities of one design share: the grasp of a gripper gives a margin, a closing time and
+/// forces. Safe to use from several threads.
 class SharedResults {
  public:
-  /// What is kept of `maker`, or nullptr.
+  /// The result kept for `maker`, or nullptr.
   [[nodiscard]] std::shared_ptr<const void> find(const std::shared_ptr<const void>& maker) const {
     const std::scoped_lock lock{guard_};
     const auto found = kept_.find(maker);
     return found == kept_.end() ? nullptr : found->second;
   }
-  /// Keeps a result, and returns what is kept: of two that were made at the same time the first.
+  /// Keeps a result and returns the kept one: of two that were made at the same time the first.
   std::shared_ptr<const void> keep(const std::shared_ptr<const void>& maker,
                                    const std::shared_ptr<const void>& result) {
     const std::scoped_lock lock{guard_};
@@ -34,17 +34,17 @@ class SharedResults {
   std::map<std::shared_ptr<const void>, std::shared_ptr<const void>> kept_;
 };
 
-/// A result that several quantities are read from. It is made when the first of them is asked for, and once for a
-/// design. Immutable; copies are cheap, and share what was made.
+/// A result from which several quantities are read. It is made when the first of them is requested, once for each
+/// design. Immutable; copies are cheap and share the result.
 template <class Result>
 class SharedResult {
  public:
-  /// Must be pure.
+  /// Makes the result of a design; must be pure.
   using Make = std::function<Result(const DesignView&)>;
-  /// `make` makes the result of a design.
+  /// Stores `make`, which makes the result of a design.
   explicit SharedResult(Make make) : make_(std::make_shared<const Make>(std::move(make))) {}
 
-  /// The result of a design; made again for each call where the view keeps nothing.
+  /// The result of a design. It is made anew at each call if the view keeps no results.
   template <class View>
   requires std::is_same_v<View, DesignView>
   [[nodiscard]] std::shared_ptr<const Result> of(const View& design) const {

@@ -7,15 +7,15 @@
 
 namespace coilwright::simulation {
 
-/// What presses the faces of the joints of a design together that are shut at its operating point, or without current
-/// where none is under it, as the end of a sentence: which magnets attract each other with how many N, against what a
-/// coil gives its magnet; which coil pulls; or the weight. Empty where every joint is open, and where an effect does
-/// it.
+/// The cause that presses together the faces of joints that are shut at the operating point (or without current, if
+/// none is under it), as the end of a sentence: the magnets that attract each other, with their force in N and that of
+/// a coil on its magnet; the coil that pulls; or the weight. Empty if every joint is open, and if an effect is the
+/// cause.
 [[nodiscard]] std::string what_shuts_joints(const DesignView& design);
 
-/// A change of a design or of its current by which every joint is open under current.
+/// A change of a design or of its current after which every joint is open under current.
 struct OpeningChange {
-  /// What is changed: how parts of the row are built in, which parts it has, or what flows.
+  /// The thing that changes: polarities of the row, its parts, or the current.
   enum class Of { polarity, row, current };
   Of of{};                 ///< which of these
   std::string parts{};     ///< those that are turned round, "magnet 2 and coil 3"; empty where it is no polarity
@@ -23,10 +23,10 @@ struct OpeningChange {
 };
 
 /// For a design with joints that are shut under its current, the changes that open all of them: the polarity that turns
-/// the fewest parts and the one of the largest stroke, those that leave no joint shut without current before those that
-/// do; the row without the second of two magnets that attract, and with more coils between them; the smallest current,
-/// of either sign and whether or not the parts bear it. Each was evaluated as it would be built. Empty where no joint
-/// is shut under current, and where nothing of this opens them.
+/// the fewest parts and the one with the largest stroke (those that leave no joint shut without current come first);
+/// the row without the second of two magnets that attract, and with more coils between them; the smallest current of
+/// either sign, whether or not the parts bear it. Each was evaluated as it would be built. Empty if no joint is shut
+/// under current, and if none of these changes opens them.
 [[nodiscard]] std::vector<OpeningChange> what_opens_joints(const DesignView& design);
 
 }  // namespace coilwright::simulation

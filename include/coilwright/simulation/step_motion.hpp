@@ -9,16 +9,16 @@
 
 namespace coilwright::simulation {
 
-/// The motion that a FreeMotion sums up, over time.
+/// The motion over time that a FreeMotion summarises.
 struct StepMotion {
   std::vector<double> times{};  ///< s, from 0, even
   std::vector<State> states{};  ///< one a time; of the joints
 };
 
-/// The free finger of an evaluated design as it steps from rest to its operating point's current at time 0, with
-/// magnets as warm as holding it there makes them: the step whose peaks and times are in Performance::free, sampled at
-/// `samples` (2 or more) even times over `duration` (s, > 0). Nothing where Performance::free has no motion. Throws
-/// std::invalid_argument for another duration or number of samples, std::runtime_error as simulate() does.
+/// The free finger of an evaluated design in a step from rest to its operating point's current at time 0, with magnets
+/// at the temperatures of the hold: the step whose peaks and times are in Performance::free, sampled at `samples` (2 or
+/// more) even times over `duration` (s, > 0). Absent if Performance::free has no motion. Throws std::invalid_argument
+/// for another duration or number of samples, std::runtime_error as simulate() does.
 [[nodiscard]] std::optional<StepMotion> step_motion(const EvaluatedDesign& evaluated, double duration,
                                                     std::size_t samples);
 

@@ -7,7 +7,7 @@
 
 namespace coilwright::simulation {
 
-/// Numbers of one step from rest, of the bending angle (sum of the joint angles).
+/// Figures of the bending angle (sum of the joint angles) in one step from rest.
 struct StepResponse {
   mechanics::JointVector steady_angles;   ///< the stable equilibrium that this very motion ends in, rad
   double peak_speed{};                    ///< largest |d(bending angle)/dt|, rad/s
@@ -19,17 +19,17 @@ struct StepResponse {
   std::optional<double> settling_time{};  ///< last time outside 2 % of the change about the end, s; nothing likewise
 };
 
-/// How long a step is followed.
+/// Limits up to which a step is followed.
 struct StepLimits {
   double longest = 60.0;  ///< s; a motion that has not died down by then has no result
-  /// Error of one step, over angle, rate and change; at 1e-5 the peak speed is good to 1e-5 and the settling time to
-  /// 1e-4 (docs/theory/simulation.md has what was measured).
+  /// Error of one integration step, relative to angle, rate and change. At 1e-5 the peak speed is good to 1e-5 and the
+  /// settling time to 1e-4 (docs/theory/simulation.md).
   double relative_accuracy = 1e-5;
 };
 
-/// Steps from the pose `rest` (rad, at zero speed) to constant `currents` (A) at time 0 and follows the motion until it
-/// cannot leave the 2 % band any more: until its energy about the equilibrium it circles is below that of four fifths
-/// of the band. Nothing when it does not die down in time or in 200,000 steps, or leaves the model.
+/// Simulates a step from the pose `rest` (rad, at zero speed) to constant `currents` (A) at time 0 until the motion
+/// cannot leave the 2 % band: until its energy about the equilibrium is below that of four fifths of the band. Absent
+/// if it does not decay in time or in 200,000 steps, or leaves the model.
 [[nodiscard]] std::optional<StepResponse> step_response(const actuator::Model& model,
                                                         const actuator::CoilCurrents& currents,
                                                         const mechanics::JointVector& rest,

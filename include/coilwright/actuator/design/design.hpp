@@ -17,14 +17,14 @@
 
 namespace coilwright::actuator {
 
-/// What a person who builds the actuator decides, plus the conventions by which it is modelled. Plain values, SI: any
-/// mix may be written down; whether it can be built is for `assemble` to say.
+/// The decisions of the person who builds the actuator, and the conventions by which it is modelled. All values are
+/// plain numbers in SI. Any combination may be written down; `assemble` checks whether it can be built.
 
-/// The coils, base to tip, whose currents may be set apart: as many as configuration D has. Further ones carry the
-/// whole.
+/// Number of coils, from the base, whose currents may be set separately: as many as configuration D has. Further coils
+/// carry the whole current.
 inline constexpr int most_current_shares = 4;
 
-/// What is between the turns of a coil.
+/// The material between the turns of a coil.
 enum class Filler {
   unstated,  ///< the prototype's convention: heat passes as through silicone, and nothing weighs there
   silicone,  ///< potted: both
@@ -41,7 +41,7 @@ struct CoilDesign {
   winding::Enamel enamel = winding::Enamel::grade_1;
   double wire_overall = 0.0;  ///< largest diameter over the enamel, m; 0: by its grade
   Filler filler = Filler::unstated;
-  /// What each coil carries of the operating current, -1 to 1; other than 1 it needs a driver of its own.
+  /// Share of the operating current that each coil carries, -1 to 1. A share other than 1 needs a driver of its own.
   std::array<double, most_current_shares> current_shares{1.0, 1.0, 1.0, 1.0};
 };
 
@@ -52,20 +52,20 @@ struct MagnetDesign {
   double remanence = 1.44;          ///< T; N52: 1.43 to 1.48 (makers' tables)
   double density = 7500.0;          ///< kg/m^3, sintered NdFeB
   double temperature_limit = 80.0;  ///< degC; grades without a letter
-  /// What it is made of, a row of magnetics::magnet_grades(). nullptr: not known; then it has no recoil, does not
-  /// weaken in the heat, and nobody can say when it is demagnetised.
+  /// The grade, a row of magnetics::magnet_grades(), or nullptr if it is unknown. Without a grade the magnet has no
+  /// recoil, does not weaken in the heat, and has no demagnetisation margin.
   const magnetics::MagnetGrade* grade = nullptr;
 
-  /// Makes it of a grade (or of nullptr, which changes no number): remanence (typical), density and temperature limit
-  /// become the grade's. Set afterwards what was measured.
+  /// Takes over remanence (typical), density and temperature limit of a grade; nullptr changes no number. Set measured
+  /// values afterwards.
   void make_of(const magnetics::MagnetGrade* material);
-  /// Mean polarisation in its own field at 20 degC, T: the remanence, less what recoil gives up.
+  /// Mean polarisation in the magnet's own field at 20 degC, T: the remanence less the loss by recoil.
   [[nodiscard]] double polarisation() const;
-  /// What the forces act on, at 20 degC.
+  /// The magnet as the force formulas take it, at 20 degC.
   [[nodiscard]] magnetics::CylinderMagnet cylinder() const;
 };
 
-/// A silicone. Its stiffness is named by one of three numbers: the first that is not 0 counts.
+/// A silicone. One of three numbers gives its stiffness: the first that is not 0.
 struct SiliconeDesign {
   double young_modulus = 0.0;      ///< Pa; 0: by a hardness
   double shore_hardness_00 = 0.0;  ///< Shore 00, 10 to 70; 0: by Shore A
@@ -73,15 +73,14 @@ struct SiliconeDesign {
   double density = 1130.0;         ///< kg/m^3
   double heat_capacity = 1300.0;   ///< J/(kg K), silicone rubber: 1050 to 1300 (makers' tables)
   double conductivity = 0.2;       ///< W/(m K), unfilled silicone rubber
-  /// What it is sold as, a row of mechanics::silicone_grades(); nullptr: not known.
+  /// The product, a row of mechanics::silicone_grades(), or nullptr if it is unknown.
   const mechanics::SiliconeGrade* grade = nullptr;
 
-  /// Makes it of a grade (or of nullptr, which changes no number): modulus and density become the grade's. Set
-  /// afterwards what was measured.
+  /// Takes over modulus and density of a grade; nullptr changes no number. Set measured values afterwards.
   void make_of(const mechanics::SiliconeGrade* material);
   /// Young's modulus at small strains, Pa. Throws std::invalid_argument for a hardness outside its range.
   [[nodiscard]] double modulus() const;
-  /// As a person orders it: "Ecoflex 00-30", "Shore 28A", "0.25 MPa".
+  /// The name under which a person orders it: "Ecoflex 00-30", "Shore 28A", "0.25 MPa".
   [[nodiscard]] std::string name() const;
 };
 
@@ -99,19 +98,20 @@ struct BodyDesign : SiliconeDesign {
   double poisson_ratio = 0.5;    ///< 0 to 0.5; silicone's bulk modulus is a thousand times its E: 0.4998 and more
   double loss_factor = 0.15;     ///< of the silicone at the finger's first mode; DampingLaw::loss_factor alone
   double loss_time = 4.8e-3;     ///< damping over stiffness of the silicone, s; DampingLaw::proportional alone
-  /// Damping of a joint that does not follow its hinge (wires, faces that rub at the cut), N m s/rad, in a body 22 mm
-  /// wide; what the prototype's 0.129 N mm s/rad leave beside 0.15. In another it goes with the cube of the width.
+  /// Part of a joint's damping that does not follow its hinge (wires, faces that rub at the cut), N m s/rad, in a body
+  /// 22 mm wide. It is the rest of the prototype's 0.129 N mm s/rad beside a loss factor of 0.15. It scales with the
+  /// cube of the width.
   double constant_damping = 0.0692e-3;
 };
 
 /// Where segments are allowed to meet when a joint closes.
 enum class ContactChoice {
-  /// Only the stiff parts stop a joint, as if there were no silicone before them: coil and magnet touch at their top.
-  /// The paper's model has no contact at all; in its range this is the same, and it cannot run away at negative
+  /// Only the stiff parts stop a joint, as if no silicone were between them: coil and magnet touch at their top. The
+  /// paper's model has no contact; in its range the result is the same, and the joint cannot run away at negative
   /// current.
   hard_parts,
-  /// The silicone walls are cut to touch at angle 0 and push back with their own stiffness from there. The prototype's
-  /// 79 N m/rad let two magnets of configuration C close them by 0.07 degrees.
+  /// The silicone walls touch at angle 0 and push back with their own stiffness from there. With the prototype's 79 N
+  /// m/rad two magnets of configuration C close them by 0.07 degrees.
   walls
 };
 
@@ -146,7 +146,7 @@ enum class FilmChoice {
   still_air    ///< natural convection and radiation by themselves: still_air_film()
 };
 
-/// Conventions of the model, each worth a few per cent or more: a result without them cannot be compared.
+/// Conventions of the model. Each is worth a few per cent or more, so results can be compared only together with them.
 struct ModelChoices {
   magnetics::CurrentDistribution winding = magnetics::CurrentDistribution::uniform;
   magnetics::Fidelity torque = magnetics::Fidelity::exact;
@@ -158,17 +158,17 @@ struct ModelChoices {
   FilmChoice film = FilmChoice::calibrated;
 };
 
-/// Where it works.
+/// The conditions in which the actuator works.
 struct Surroundings {
   double gravity = 9.81;      ///< m/s^2
   double base_tilt = 0.0;     ///< rad, towards opening; 0: the finger hangs
   double ambient = 25.0;      ///< degC
   double coil_limit = 155.0;  ///< degC, of the enamel
-  /// From the outer surface, convection and radiation together, W/(m^2 K); calibrated on the prototype.
+  /// Heat transfer of the outer surface, convection and radiation together, W/(m^2 K); calibrated on the prototype.
   double heat_transfer = 155.8;
 };
 
-/// The joint on which k and b were measured, all measured or derived there. Another law of the hinge or of damping
+/// The joint on which stiffness and damping were measured, with its geometry. Another law of the hinge or of damping
 /// passes through it: see with_hinge_law(), with_damping().
 struct HingeReference {
   double width{};         ///< of the cross-section, m
@@ -178,8 +178,8 @@ struct HingeReference {
   double first_mode{};    ///< of its finger, Hz: see first_mode_frequency()
 };
 
-/// Measured over derived, for what was measured on a built actuator; 1 where nothing was. The factors stay with the
-/// design when its variables move.
+/// Factors measured over derived of a built actuator; 1 for whatever was not measured. The factors stay with the design
+/// when its variables move.
 struct Calibration {
   double axial_pitch = 1.0;          ///< of turns in a layer
   double radial_pitch = 1.0;         ///< of layers
@@ -192,29 +192,30 @@ struct Calibration {
   double tip_com = 1.0;              ///< l_2
   double coil_resistance = 1.0;
   double heat_transfer = 1.0;  ///< surface heat transfer coefficient, on the prototype's
-  /// Where k and b were measured; nothing where nothing was, and in files of 0.1.
+  /// The joint on which stiffness and damping were measured. Absent if nothing was measured, and in files of version
+  /// 0.1.
   std::optional<HingeReference> hinge{};
 };
 
-/// A whole actuator.
+/// A whole actuator: parts, body, surroundings and conventions.
 struct Design {
   Layout layout = layout_of(Configuration::B);
   CoilDesign coil{};
   MagnetDesign magnet{};
   BodyDesign body{};
-  /// Of the bottom layer, the hinge, where that is cast of another silicone than the body above it.
+  /// The silicone of the bottom layer, which is the hinge, if it differs from that of the body above it.
   std::optional<SiliconeDesign> bottom_silicone{};
   Surroundings surroundings{};
   ModelChoices choices{};
   Calibration calibration{};
   std::vector<Effect> effects{};  ///< that the model has beside its stages; each kind at most once
   AsBuilt as_built{};             ///< how the one that was built differs from its numbers
-  /// To which its torques and forces are made curves, of the largest value of each. No file says it: by default two
-  /// orders below the 1e-5 to which a coil is wound.
+  /// Error of the curves of torques and forces, relative to the largest value of each; > 0. Files do not set it. The
+  /// default is two orders below the 1e-5 to which a coil is wound.
   double curve_tolerance = 1e-6;
 };
 
-/// The wire of the coils. Throws std::invalid_argument for a gauge or a diameter that there is not.
+/// The wire of the coils. Throws std::invalid_argument for a gauge or a diameter that does not exist.
 [[nodiscard]] winding::Wire wire_of(const CoilDesign& coil);
 
 /// Section of all turns of a coil over their enamel, m2. Throws as wire_of().

@@ -14,12 +14,12 @@ struct ConstructionFault {
   double excess{};   ///< by how much, relative to the limit; > 0 and growing away from what can be built
 };
 
-/// What is wrong with a design; empty for one that can be built.
+/// All faults of a design; empty for one that can be built.
 using ConstructionFaults = std::vector<ConstructionFault>;
 
-/// All rules that `design` breaks: sizes that are not finite and positive, turns outside 1 to 10,000, wires that
-/// there are not, a bore too tight for its wire, hardnesses outside their relations, a layout that is none, calibration
-/// factors or surroundings that are no such thing. Empty for a design that can be built. Never throws.
+/// Returns all rules that `design` breaks: sizes that are not finite and positive, turns outside 1 to 10,000, wires
+/// that do not exist, a bore too tight for its wire, hardnesses outside their relations, an invalid layout, and invalid
+/// calibration factors or surroundings. Empty for a design that can be built. Never throws.
 [[nodiscard]] ConstructionFaults construction_faults(const Design& design);
 
 /// Geometry that follows from a design, SI; the names of the paper's Tables I and II in brackets.
@@ -41,20 +41,20 @@ struct Dimensions {
   double closing_angle{};
 };
 
-/// Precondition: construction_faults(design) is empty. Throws std::invalid_argument (naming the rule) where the winding
-/// is none.
+/// Computes the dimensions. Precondition: construction_faults(design) is empty. Throws std::invalid_argument naming the
+/// rule if the winding is invalid.
 [[nodiscard]] Dimensions dimensions(const Design& design);
 
-/// Silicone between the two components that joint `joint` (0 is the base's) separates, with the joint straight, m: the
-/// walls of both. Between a coil and a magnet it is the design's gap, between two coils two coil walls, 2/3 of it.
-/// Precondition as above, and 0 <= joint < components - 1.
+/// Thickness of silicone between the two components that joint `joint` separates (0 is the joint at the base), with the
+/// joint straight, m: the walls of both. Between a coil and a magnet it is the design's gap, between two coils 2/3 of
+/// it. Precondition as above, and 0 <= joint < components - 1.
 [[nodiscard]] double gap_of_joint(const Design& design, int joint);
 
-/// Height of the faces that meet at that joint, hinge line to the top of the smaller of the two components, m.
+/// Height of the faces that meet at that joint, m, from the hinge line to the top of the smaller component.
 [[nodiscard]] double face_height_of_joint(const Design& design, const Dimensions& dimensions, int joint);
 
-/// Angle by which that joint closes from 0 until its two components touch at their top, rad, > 0; to first order as
-/// Dimensions::closing_angle, which it is between a coil and a magnet.
+/// Angle by which that joint closes from 0 until its two components touch at their top, rad, > 0, to first order.
+/// Between a coil and a magnet it is Dimensions::closing_angle.
 [[nodiscard]] double closing_angle_of_joint(const Design& design, const Dimensions& dimensions, int joint);
 
 /// The coil of a design, its pitches scaled by the calibration. Precondition as above.

@@ -9,7 +9,7 @@
 
 namespace coilwright::actuator {
 
-/// What the number of an effect at that index is called among all numbers of a design: "dry_friction.torque_Nmm".
+/// Name of the number with that index of an effect, among all numbers of a design: "dry_friction.torque_Nmm".
 [[nodiscard]] std::string effect_number_name(const Effect& effect, std::size_t number);
 
 /// A number of an effect of a design, and its rules.
@@ -18,7 +18,7 @@ struct EffectNumber {
   const EffectParameter* parameter{};
 };
 
-/// The number that has that name in `design`, which it refers to.
+/// Finds the number of that name in `design`. The result refers to the design.
 [[nodiscard]] EffectNumber find_effect_number(Design& design, std::string_view name);
 
 }  // namespace coilwright::actuator

@@ -17,7 +17,8 @@ struct Component {
   friend bool operator==(const Component&, const Component&) = default;
 };
 
-/// Base to tip. The first component sits in the fixed rear part, each further one in a segment of its own.
+/// The row of components, base to tip. The first component sits in the fixed rear part, each further one in a segment
+/// of its own.
 using Layout = std::vector<Component>;
 
 /// The four configurations of the source paper (its Fig. 2c, as the text reads).
@@ -28,7 +29,7 @@ enum class Configuration {
   D   ///< coil, magnet, coil, coil, magnet, coil: two B in a row, with a joint between their coils
 };
 
-/// "A" to "D".
+/// The letter of a configuration, "A" to "D".
 [[nodiscard]] std::string_view name_of(Configuration configuration);
 
 /// Layout of a configuration, every polarity +1.
@@ -37,8 +38,9 @@ enum class Configuration {
 /// A layout in words, base to tip, a minus before what is built in the other way: "coil -magnet coil".
 [[nodiscard]] std::string text_of(const Layout& layout);
 
-/// Throws std::invalid_argument naming the rule and what was received: 2 to max_joints + 1 components, polarities +1 or
-/// -1, at least one coil and one magnet, and no two magnets next to each other (nothing keeps them apart).
+/// Throws std::invalid_argument naming the rule and the value received, unless the layout has 2 to max_joints + 1
+/// components, polarities +1 or -1, at least one coil and one magnet, and no two magnets next to each other (no wall
+/// keeps them apart).
 void check_layout(const Layout& layout);
 
 [[nodiscard]] int coil_count(const Layout& layout);

@@ -9,10 +9,11 @@
 
 namespace coilwright::actuator {
 
-/// What values a parameter may take in a file; a length is shortest_length to longest_length, a share -1 to 1.
+/// The rule for values of a parameter in a file. A length is from shortest_length to longest_length, a share from -1 to
+/// 1.
 enum class ParameterRule { positive, length, not_negative, at_least_one, share, any };
 
-/// One number of a Design as files write it: the one table that the reader, the writer and a study's variables share.
+/// One number of a Design as files write it. Reader, writer and the variables of a study share this table.
 struct Parameter {
   std::string_view
       section;            ///< object of the actuator file: "coil", "body", "bottom_layer_silicone", "calibration" ...
@@ -23,13 +24,14 @@ struct Parameter {
   double (*get)(const Design&) = nullptr;                      ///< SI
   void (*set)(Design&, double) = nullptr;                      ///< SI
   std::span<const std::string_view> (*name_list)() = nullptr;  ///< see names(); nullptr for a number
-  /// Whether the design needs it said: a share of the current, or which of several numbers names the wire. nullptr:
-  /// always.
+  /// Whether the file has to state the parameter for this design (a share of the current, one of several numbers for
+  /// the wire). nullptr: always.
   bool (*needed)(const Design&) = nullptr;
-  /// Of what it is one of several names: "the wire". Of those of a section a file gives one. Empty: of nothing.
+  /// The thing for which this parameter is one of several names, such as "the wire". A file gives one name of each
+  /// thing in a section. Empty: none.
   std::string_view one_name_of{};
 
-  /// The names that files write where it is a choice among them, value by index. Empty for a number.
+  /// The words that files write for a parameter that is a choice, by value. Empty for a number.
   [[nodiscard]] std::span<const std::string_view> names() const {
     return name_list == nullptr ? std::span<const std::string_view>() : name_list();
   }
@@ -38,10 +40,10 @@ struct Parameter {
 /// Every number of a Design, section by section.
 [[nodiscard]] std::span<const Parameter> parameters();
 
-/// What is wrong about giving `one` beside `other`, which its words name: a line without its end, or nothing.
+/// Describes why `one` cannot stand beside `other`, which the words name: a line without its end. Absent if it can.
 [[nodiscard]] std::optional<std::string> conflict_between(const Parameter& one, const Parameter& other);
 
-/// The value of a parameter that has names for one of them; nothing for any other text.
+/// The value that a word stands for; absent if the parameter does not have that word.
 [[nodiscard]] std::optional<double> value_named(const Parameter& parameter, std::string_view name);
 
 /// The parameter of that name; nullptr if there is none.

@@ -19,12 +19,12 @@ struct Segment {
   double heat_capacity{};  ///< J/K
 };
 
-/// All segments, base first. The base segment (the first component with the rear part) does not move; its length is
-/// counted from its rear end. The last one carries the front part.
+/// All segments, base first. The base segment (the first component with the rear part) does not move; its length counts
+/// from its rear end. The last segment carries the front part.
 ///
-/// Each is a silicone box of the body's cross-section with its coil or magnet cast in on the axis (the bore of a coil
-/// filled), on a bottom layer of its own silicone where there is one; wires are not counted. Under
-/// SegmentMass::on_axis_points the offset is the axis's and the inertia zero.
+/// Each is a silicone box of the body's cross-section with its coil or magnet cast in on the axis and the bore of a
+/// coil filled, on a bottom layer that may be of another silicone. Wires do not count. Under
+/// SegmentMass::on_axis_points the offset is that of the axis and the inertia is zero.
 [[nodiscard]] std::vector<Segment> segments(const Design& design, const Dimensions& dimensions);
 
 }  // namespace coilwright::actuator

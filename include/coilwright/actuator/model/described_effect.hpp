@@ -13,8 +13,8 @@
 
 namespace coilwright::actuator {
 
-/// An effect as a row of a table; each field as the function of EffectKind of its name. The texts are not copied: give
-/// literals.
+/// An effect as a row of a table. Each field answers the function of EffectKind of its name. The texts are not copied,
+/// so give literals.
 struct EffectProperties {
   std::string_view id;
   Stage stage{};
@@ -24,23 +24,24 @@ struct EffectProperties {
   std::string_view check{};
   std::vector<EffectParameter> parameters{};
   bool needs_closed_circuit{};
-  /// The same effect with further numbers (EffectKind::with_further_numbers); not owned.
+  /// The same effect with further numbers (EffectKind::with_further_numbers). Not owned.
   const EffectKind* further{};
   std::function<std::vector<std::vector<double>>(const RigScale&)> starts{};
-  /// Not asked where the effect is absent: where the first of its numbers that has such a value has it.
+  /// Builds the effect (EffectKind::build). It is not called if the first number that has an `absent` value has that
+  /// value.
   std::function<std::unique_ptr<const EffectTerm>(std::span<const double>, ModelSpec&)> build{};
-  /// Empty: EffectKind::inapplicable.
+  /// Why the effect cannot be in a model (EffectKind::inapplicable). Empty: it can be in every model.
   std::function<std::optional<std::string>(const ModelSpec&)> inapplicable{};
 };
 
-/// An effect that is such a row: what a program defines, without a class of its own.
+/// An effect that is such a row. With it a program defines an effect without a class of its own.
 class DescribedEffect : public EffectKind {
  public:
   /// Keeps the row.
   explicit DescribedEffect(EffectProperties properties) : properties_(std::move(properties)) {}
 
   [[nodiscard]] std::string_view id() const final { return properties_.id; }
-  /// As EffectKind says.
+  /// These functions return the fields of the row.
   [[nodiscard]] Stage stage() const final { return properties_.stage; }
   [[nodiscard]] std::string_view description() const final { return properties_.description; }
   [[nodiscard]] std::string_view equation() const final { return properties_.equation; }

@@ -15,12 +15,12 @@ namespace coilwright::actuator {
 
 struct ModelSpec;
 
-/// The most states of their own that all effects of a model may have together.
+/// The largest number of internal states of all effects of a model together.
 inline constexpr int max_internal_states = 128;
 /// States of the effects, in the order of the effects: currents, heat, creep, friction, each in its own unit.
 using InternalStates = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_internal_states, 1>;
 
-/// The most bodies of their own that all effects of a model may have together.
+/// The largest number of moving bodies of all effects of a model together.
 inline constexpr int max_bodies = mechanics::max_joints + 4;
 
 /// The stages of a model, in the order in which a command passes them. An effect belongs to exactly one.
@@ -45,18 +45,18 @@ struct EffectParameter {
   std::string_view text;  ///< what it is, one line
   double lower{};         ///< physical bounds, SI, inclusive; may be infinite
   double upper{};
-  /// The value at which the effect is not there, SI. Nothing for a shape (a time constant, a range) that means nothing
-  /// without the effect's other parameter.
+  /// The value at which the effect is absent, SI. A shape (a time constant, a range) that means nothing without another
+  /// parameter has none.
   std::optional<double> absent{};
-  /// One of a few values instead of a range (the side of a stop): never fitted by slope, each is tried. Empty: a range.
+  /// The values that the number may take instead of a range (the side of a stop). A fit tries each. Empty: a range.
   std::span<const double> choices{};
-  /// One standard deviation, SI, > 0, of a normal prior about `absent`: for a number that is one of many of a smooth
-  /// function. Nothing: free within its bounds, as numbers of physical effects are.
+  /// Standard deviation of a normal prior about `absent`, SI, > 0, for one of many numbers of a smooth function.
+  /// Absent: the number is free within its bounds, as those of physical effects are.
   std::optional<double> deviation{};
 };
 
-/// What an effect does while the model runs: hooks into the row of stages. Each effect overrides those of its own
-/// stage. Immutable and shared between threads; what changes in time is in its InternalStateView.
+/// What an effect does while the model runs: hooks into the stages. Each effect overrides the hooks of its own stage.
+/// Immutable and shared between threads; whatever changes in time is in its InternalStateView.
 class EffectTerm {
  public:
   EffectTerm() = default;
@@ -64,49 +64,51 @@ class EffectTerm {
   EffectTerm& operator=(const EffectTerm&) = delete;
   virtual ~EffectTerm() = default;
 
-  /// A pose and its rates, in the chain that they belong to.
+  /// A pose and its rates, with the chain that they belong to.
   struct Kinematics {
     const mechanics::PlanarChain& chain;
     const mechanics::JointVector& angles;  ///< rad
     const mechanics::JointVector& rates;   ///< rad/s
-    /// Joint torques that are commanded beside the currents, N m; null: none.
+    /// Joint torques that are commanded beside the currents, N m; null if there are none.
     const mechanics::JointVector* applied = nullptr;
   };
-  /// The effect's own share of the model's internal states, and where it writes their slopes: null where no slopes are
+  /// The effect's own part of the model's internal states, and the place for their slopes; null if no slopes are
   /// wanted.
   struct InternalStateView {
     const double* states{};
     double* slopes{};
   };
 
-  /// How many states of its own it has.
+  /// Number of internal states of the effect.
   [[nodiscard]] virtual int states() const { return 0; }
-  /// Whether these states move so slowly (heat, creep over many seconds) that a step response is taken with them held.
+  /// Whether these states move so slowly (heat, creep over many seconds) that a step response holds them.
   [[nodiscard]] virtual bool slow() const { return false; }
-  /// Its states after a long hold at `motion` (at rest) under `currents`, as they enter its stage. Default: zeros.
+  /// Writes the states after a long hold at `motion` (at rest) under `currents`, as these enter its stage. Default:
+  /// zeros.
   virtual void settle(const Kinematics& motion, const CoilCurrents& currents, double* states) const;
-  /// Its states where a recorded run that starts at rest begins. Default: settled; heat may be cold instead.
+  /// Writes the states with which a recorded run begins that starts at rest. Default: settled. Heat may be cold
+  /// instead.
   virtual void begin(const Kinematics& motion, const CoilCurrents& currents, double* states) const {
     settle(motion, currents, states);
   }
 
-  /// Drive: turns the currents that enter into those that leave.
+  /// Drive: turns the currents that enter the stage into those that leave it.
   virtual void drive(InternalStateView own, CoilCurrents& currents) const;
-  /// Drive: the time constant T of a lag, s, where the states are the currents that leave, x' = (entering - x) / T: an
-  /// integrator then knows them in closed form while the command is held, or follows a curve. 0: states of any other
+  /// Drive: the time constant T of a lag, s, if the states are the currents that leave, x' = (entering - x) / T. An
+  /// integrator then has them in closed form while the command is held or follows a curve. 0 for states of any other
   /// kind.
   [[nodiscard]] virtual double lag() const { return 0.0; }
-  /// Magnetics: `strength` are the effective currents, in proportion to the force (a weaker magnet is a smaller
+  /// Magnetics: changes `strength`, the effective currents, in proportion to the force (a weaker magnet is a smaller
   /// current).
   virtual void magnetize(InternalStateView own, const CoilCurrents& currents, CoilCurrents& strength) const;
   /// Magnetics, hinge and chain: adds joint torques, N m, opening positive.
   virtual void add_torques(const Kinematics& motion, const CoilCurrents& strength, InternalStateView own,
                            mechanics::JointVector& torques) const;
-  /// Magnetics, hinge and chain: whether it is dry friction, which may hold a joint at rest. Its states are then one a
-  /// joint, y: its torque on a sliding joint is that of y = sgn(omega), on a joint at rest that of any y from -1 to 1,
-  /// and it is linear in y. Whoever follows a motion sets them (Model::set_friction); their slopes are zero.
+  /// Magnetics, hinge and chain: whether the effect is dry friction, which may hold a joint at rest. Then it has one
+  /// state y for each joint, and its torque is linear in y: y = sgn(omega) on a sliding joint, any y from -1 to 1 on a
+  /// joint at rest. Whoever follows a motion sets the states (Model::set_friction); their slopes are zero.
   [[nodiscard]] virtual bool holds_joints() const { return false; }
-  /// Damping of small motions about a pose at rest, N m s/rad, added to `damping` (n, n).
+  /// Adds the damping of small motions about a pose at rest, N m s/rad, to `damping` (n, n).
   virtual void add_damping(const Kinematics& motion, const CoilCurrents& strength,
                            mechanics::JointMatrix& damping) const;
 
@@ -119,26 +121,26 @@ class EffectTerm {
     double mass{};                    ///< m, kg or kg m^2; > 0
     double force{};                   ///< f, N or N m; without what c . theta'' takes
   };
-  /// How many it has; two states for each. At most max_bodies in a model.
+  /// Number of bodies that move beside the chain; each has two states. A model has at most max_bodies.
   [[nodiscard]] virtual int bodies() const { return 0; }
-  /// Writes bodies() bodies to `out`, each with a coupling of zeros when it comes. `states` are the effect's own.
+  /// Writes bodies() bodies to `out`; the coupling of each is zero on entry. `states` are the effect's own.
   virtual void describe_bodies(const Kinematics& motion, const CoilCurrents& strength, const double* states,
                                Body* out) const;
 
-  /// Camera: turns the joints' angles (rad) and rates (rad/s) into those shown, before any scale or offset. Writes the
-  /// slopes of its states where they are wanted.
+  /// Camera: turns the joints' angles (rad) and rates (rad/s) into those shown, before scale and offset. Writes the
+  /// slopes of its states if they are wanted.
   virtual void show(InternalStateView own, mechanics::JointVector& angles, mechanics::JointVector& rates) const;
-  /// Camera: whether that changes anything; an effect without states says so.
+  /// Camera: whether show() changes anything. Default: whether the effect has states.
   [[nodiscard]] virtual bool shows() const { return states() > 0; }
-  /// Camera: what it shows of an angle, rad.
+  /// Camera: the angle that it shows for an angle, rad.
   [[nodiscard]] virtual double observed(double angle) const { return angle; }
-  /// Camera: how long ago the motion was that it shows now, s; below zero where records are stamped too early.
+  /// Camera: delay of what it shows, s; negative if records are stamped too early.
   [[nodiscard]] virtual double delay() const { return 0.0; }
 };
 
-/// A physical effect that a model may lack: its name, its numbers, and how to build it in. Immutable, and in use from
-/// many threads at once. Effect, EffectCatalogue, Model and Diagnosis refer to it by its address: keep each kind in
-/// static storage, or at least longer than all of them.
+/// A physical effect that a model may lack: its name, its numbers, and the way to build it in. Immutable and used from
+/// several threads at once. Effect, EffectCatalogue, Model and Diagnosis refer to it by its address, so each kind must
+/// outlive all of them; static storage is best.
 class EffectKind {
  public:
   EffectKind() = default;
@@ -146,48 +148,49 @@ class EffectKind {
   EffectKind& operator=(const EffectKind&) = delete;
   virtual ~EffectKind() = default;
 
-  /// As measured-data/1 calls it: "dry_friction".
+  /// The name in measured-data/1: "dry_friction".
   [[nodiscard]] virtual std::string_view id() const = 0;
   /// The stage to which the effect belongs.
   [[nodiscard]] virtual Stage stage() const = 0;
-  /// What physically happens, one line for people: "a warm coil resists more, so its current fades".
+  /// The physical cause, in one line for people: "a warm coil resists more, so its current fades".
   [[nodiscard]] virtual std::string_view description() const = 0;
   /// Its equation, one line of plain text.
   [[nodiscard]] virtual std::string_view equation() const = 0;
-  /// Where the equation is from.
+  /// Source of the equation.
   [[nodiscard]] virtual std::string_view source() const = 0;
-  /// How a person finds out at the rig, in minutes and without this model, whether it is there: one line in the
-  /// imperative, without a full stop; empty where there is no such way.
+  /// How a person finds out at the rig, in minutes and without this model, whether the effect is there: one line in the
+  /// imperative, without a full stop. Empty if there is no such way.
   [[nodiscard]] virtual std::string_view check() const { return {}; }
-  /// Its numbers; empty for an effect that is there or not.
+  /// The numbers of the effect; empty for an effect that is only there or not.
   [[nodiscard]] virtual std::span<const EffectParameter> parameters() const = 0;
 
-  /// Whether it is gone while the coils' circuit is open: a driver's bias, what motion induces.
+  /// Whether the effect is gone while the coils' circuit is open, as a driver's bias or an induced current is.
   [[nodiscard]] virtual bool needs_closed_circuit() const { return false; }
 
-  /// The same effect by the same id with further numbers after its own, which are nothing without it: Stribeck's fall
-  /// of dry friction. Files name all of them or none. A search should try it only where this one has been found: its
-  /// further numbers say too where they mean nothing (EffectParameter::absent). Null: there is none.
+  /// The same effect, by the same id, with further numbers after its own that mean nothing without it, such as
+  /// Stribeck's fall of dry friction; null if there is none. Files name all of them or none. A search should try it
+  /// only after the plain effect was found. EffectParameter::absent also says where the further numbers mean nothing.
   [[nodiscard]] virtual const EffectKind* with_further_numbers() const { return nullptr; }
 
-  /// Why it cannot be in this model (no coils, one joint only, already exact): one line; nothing when it can.
+  /// Why the effect cannot be in this model (no coils, one joint only, already exact), in one line; absent if it can.
   [[nodiscard]] virtual std::optional<std::string> inapplicable(const ModelSpec& spec) const;
-  /// Parameter values, SI, worth starting a fit from on such a rig; at least one vector, inside the bounds, not absent.
+  /// Parameter values from which a fit on such a rig should start, SI: at least one vector, inside the bounds, not
+  /// absent.
   [[nodiscard]] virtual std::vector<std::vector<double>> starts(const RigScale& scale) const = 0;
-  /// Builds it in: changes what is fixed in `spec` (a chain, a spring), or gives a term that acts while the model runs,
-  /// or both. `values` are SI, one per parameter, inside the bounds. May return null.
+  /// Builds the effect into a model: changes what is fixed in `spec` (a chain, a spring), or returns a term that acts
+  /// while the model runs, or both. `values` are SI, one per parameter, inside the bounds. May return null.
   [[nodiscard]] virtual std::unique_ptr<const EffectTerm> build(std::span<const double> values,
                                                                 ModelSpec& spec) const = 0;
 };
 
-/// An effect with its numbers.
+/// An effect with the values of its numbers.
 struct Effect {
   const EffectKind* kind{};    ///< not owned: lives longer than every effect, model and result that refers to it
   std::vector<double> values;  ///< SI, one per parameter
 };
 
-/// Throws std::invalid_argument naming effect, parameter, rule and value when the number of values is wrong, or one is
-/// not finite, outside its bounds or not among its choices.
+/// Throws std::invalid_argument naming effect, parameter, rule and value if the number of values is wrong, or if a
+/// value is not finite, outside its bounds or not among its choices.
 void validate_effect(const Effect& effect);
 
 }  // namespace coilwright::actuator

@@ -16,7 +16,8 @@
 
 namespace coilwright::actuator {
 
-/// A coil and a magnet on the two sides of one joint, by their dimensions. Plain numbers: any mix may be written down.
+/// A coil and a magnet on the two sides of one joint, by their dimensions. Plain numbers; any combination may be
+/// written down.
 struct PairDimensions {
   magnetics::ThickCoil::Spec coil{};
   magnetics::CylinderMagnet::Spec magnet{};
@@ -24,7 +25,7 @@ struct PairDimensions {
   magnetics::Fidelity fidelity = magnetics::Fidelity::line_of_centres;
 };
 
-/// Torque per ampere as it was measured over one joint angle.
+/// Measured torque per ampere over one joint angle.
 struct TorqueTable {
   std::vector<double> angles{};   ///< rad, increasing; at least 4
   std::vector<double> torques{};  ///< N m/A, one per angle
@@ -46,31 +47,31 @@ struct LumpedModel {
   AsBuilt as_built{};               ///< how the one that was built differs from these numbers
 };
 
-/// What takes long to compute from a lumped model. Immutable; copies share it.
+/// The parts of a lumped model that take long to compute. Immutable; copies share them.
 struct LumpedMagnetics {
   std::vector<HingePair> hinge_pairs{};
   std::shared_ptr<const CoilRow> coil_row{};  ///< see coil_row_of()
 };
 
-/// The torque curve of a pair that takes the current `coil`: of a pair of dimensions from -2 to 120 degrees, exact to
-/// 1e-6 of its largest torque; of a table over its angles, within 1e-4, by the rational interpolant without poles of
-/// Floater and Hormann (Numerische Mathematik 107, 2007) of degree 3. Throws std::invalid_argument where a number
-/// breaks its rule, and the errors of magnetics::torque_curve.
+/// The torque curve of a pair that takes the current of `coil`. For a pair of dimensions it covers -2 to 120 degrees
+/// with an error of 1e-6 of its largest torque. For a table it covers the table's angles, within 1e-4, by the rational
+/// interpolant without poles of Floater and Hormann (Numerische Mathematik 107, 2007) of degree 3. Throws
+/// std::invalid_argument if a number breaks its rule, and the errors of magnetics::torque_curve.
 [[nodiscard]] HingePair hinge_pair_of(const LumpedPair& pair, int coil);
 
-/// hinge_pair_of() for each pair, which takes the current of its place. Throws as that.
+/// Applies hinge_pair_of() to each pair, with the current of its index. Throws as that does.
 [[nodiscard]] std::vector<HingePair> hinge_pairs_of(std::span<const LumpedPair> pairs);
 
-/// The coils of a lumped model that is a finger of configuration B: two joints with a pair of dimensions on each, so
-/// that one coil is on the base, the other on the last link, and the magnet between them. Null for any other model: its
-/// numbers do not tell where its coils are. Throws std::invalid_argument where a link breaks its rules.
+/// The coils of a lumped model that is a finger of configuration B: two joints with a pair of dimensions on each, one
+/// coil on the base, one on the last link, and the magnet between them. Null for any other model, because its numbers
+/// do not tell where its coils are. Throws std::invalid_argument if a link breaks its rules.
 [[nodiscard]] std::shared_ptr<const CoilRow> coil_row_of(const LumpedModel& model);
 
-/// All that takes long. Throws as hinge_pair_of() and coil_row_of().
+/// Computes all parts that take long. Throws as hinge_pair_of() and coil_row_of() do.
 [[nodiscard]] LumpedMagnetics magnetics_of(const LumpedModel& model);
 
-/// What a Model is made of, as it was built; `magnetics` are those of `model`, whose curves have no error. Throws
-/// std::invalid_argument where a link breaks its rules, and as as_built().
+/// The specification of the model as it was built. `magnetics` are those of `model`, before errors of its curves.
+/// Throws std::invalid_argument if a link breaks its rules, and as as_built() does.
 [[nodiscard]] ModelSpec spec_of(const LumpedModel& model, const LumpedMagnetics& magnetics);
 
 }  // namespace coilwright::actuator

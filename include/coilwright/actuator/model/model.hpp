@@ -10,30 +10,31 @@
 
 namespace coilwright::actuator {
 
-/// History of a model at rest before t = 0: held until every internal state is steady, or as a recorded run finds it
-/// (which differs for heat alone: see EffectTerm::begin).
+/// History of a model at rest before t = 0: held until every internal state is steady, or as a recorded run begins
+/// (which differs only for heat: EffectTerm::begin).
 enum class InitialHistory { long_hold, recorded_run };
 
-/// What a camera shows of the joints.
+/// The joints' motion as a camera shows it.
 struct ShownMotion {
   mechanics::JointVector angles;  ///< rad
   mechanics::JointVector rates;   ///< rad/s
 };
 
-/// An actuator for simulation: drive, magnetics, hinge, chain, camera in a row. Immutable; copies share what is large.
+/// An actuator for simulation: the stages drive, magnetics, hinge, chain and camera in a row. Immutable; copies share
+/// large parts.
 ///
-/// Effects may carry states of their own (currents, heat, creep, friction). Static queries (torques, equilibria,
-/// stiffness) use the steady values of all these states at that pose, unless another InitialHistory is asked for.
+/// Effects may have internal states (currents, heat, creep, friction). Static queries (torques, equilibria, stiffness)
+/// use the steady values of these states at that pose, unless another InitialHistory is asked for.
 class Model {
  public:
   /// Inputs of a Model.
   using Spec = ModelSpec;
-  /// Throws std::invalid_argument where counts do not match, a hinge value breaks its rule, or an effect is given
-  /// twice, breaks its rules or cannot be in this model.
+  /// Builds the model. Throws std::invalid_argument if counts do not match, a hinge value breaks its rule, or an effect
+  /// is given twice, breaks its rules or cannot be in this model.
   explicit Model(Spec spec);
 
-  /// What it was made of: the nominal stages, before any effect was built in, and the effects. The other queries
-  /// (chain(), hinges(), magnetics()) answer with the effects built in.
+  /// The nominal stages, before effects were built in, and the effects. The other queries (chain(), hinges(),
+  /// magnetics()) answer with the effects built in.
   [[nodiscard]] const Spec& nominal_spec() const noexcept { return nominal_ ? *nominal_ : spec_; }
 
   [[nodiscard]] int joints() const noexcept { return spec_.chain.joints(); }
@@ -45,53 +46,54 @@ class Model {
 
   /// Whether any effect acts while the model runs.
   [[nodiscard]] bool has_terms() const noexcept { return !terms_.empty(); }
-  /// How many states of their own the effects have.
+  /// Number of internal states of all effects.
   [[nodiscard]] int internal_states() const noexcept { return internal_states_; }
-  /// How many of these belong to the drive; they come first and follow from the command alone, not from the motion.
+  /// Number of internal states that belong to the drive. They come first and depend on the command alone, not on the
+  /// motion.
   [[nodiscard]] int drive_states() const noexcept { return drive_states_; }
-  /// The time constant of the drive's states, s, where they are one lag and nothing else (EffectTerm::lag); else 0.
+  /// Time constant of the drive's states, s, if they are a single lag (EffectTerm::lag); otherwise 0.
   [[nodiscard]] double drive_lag() const noexcept;
-  /// Whether that one of them is the place or the rate of a body that moves beside the chain (EffectTerm::Body).
+  /// Whether this internal state is the place or the rate of a body that moves beside the chain (EffectTerm::Body).
   [[nodiscard]] bool is_of_a_body(int internal_state) const;
   /// The effects' states at rest at `angles` (rad) under `command` (A).
   [[nodiscard]] InternalStates settled(const mechanics::JointVector& angles, const CoilCurrents& command,
                                        InitialHistory history = InitialHistory::long_hold) const;
-  /// The drive's states among them after a long hold: (drive_states()).
+  /// The drive's states after a long hold under `command` (A): the first drive_states() of the internal states.
   [[nodiscard]] InternalStates settled_drive(const CoilCurrents& command) const;
 
-  /// The effective currents, A, after a long hold at `angles` (rad) under `command` (A): the coil currents that the
-  /// drive lets through, scaled by what a warm magnet or a gain does to their force.
+  /// The effective currents, A, after a long hold at `angles` (rad) under `command` (A): the coil currents behind the
+  /// drive, scaled by the effect of a warm magnet or a gain on their force.
   [[nodiscard]] CoilCurrents strength(const mechanics::JointVector& angles, const CoilCurrents& command) const;
 
   /// Whether dry friction may hold joints at rest (EffectTerm::holds_joints).
   [[nodiscard]] bool holds_joints() const noexcept { return holds_joints_; }
-  /// Sets the states of all dry friction in `internal`, all states of this model: of each joint sgn(omega) where it
-  /// slides, the share of its largest torque with which it is held where it rests.
+  /// Sets the states of all dry friction in `internal`, which has all states of this model. `shares` has one value for
+  /// each joint: sgn(omega) if it slides, and if it rests the share of its largest torque with which it is held.
   void set_friction(const mechanics::JointVector& shares, std::span<double> internal) const;
 
-  /// Whether an effect moves so slowly that a step response is taken with it held.
+  /// Whether an effect moves so slowly that a step response holds it.
   [[nodiscard]] bool has_slow_states() const noexcept;
-  /// This model with the states of its slow effects held for good where `internal` (all states of this model) has them;
-  /// they are no longer among the states of the result.
+  /// Returns this model with the states of its slow effects fixed at their values in `internal` (all states of this
+  /// model). The result no longer counts them among its states.
   [[nodiscard]] Model with_slow_states_held(const InternalStates& internal) const;
 
-  /// This model with magnets of other strengths, one per magnet (polarisation over that of its curves). States that
-  /// were held are free again.
+  /// Returns this model with magnets of other strengths, one per magnet (its polarisation over that of the curves).
+  /// Fixed states are free again.
   [[nodiscard]] Model with_magnet_strengths(std::span<const double> strengths) const;
 
-  /// Resistance of one coil at 20 degC, ohm; nothing for a lumped model.
+  /// Resistance of one coil at 20 degC, ohm; absent for a lumped model.
   [[nodiscard]] std::optional<double> coil_resistance() const noexcept { return spec_.coil_resistance; }
-  /// The currents that `voltages` (V, one a coil) drive at 20 degC, A: the nominal drive under a voltage. Quasi-static:
-  /// L / R of a coil (0.3 ms in the prototype) is far below a finger's 30 ms; heat and lag are effects. Throws
-  /// std::invalid_argument where the resistance is not known.
+  /// The currents that `voltages` (V, one per coil) drive at 20 degC, A. Quasi-static: L / R of a coil (0.3 ms in the
+  /// prototype) is far below a finger's 30 ms, and heat and lag are effects. Throws std::invalid_argument if the
+  /// resistance is not known.
   [[nodiscard]] CoilCurrents currents_under(const CoilCurrents& voltages) const;
 
-  /// The currents of all coils at an operating current, A: the same in every one, on one driver, or its share of it.
+  /// The currents of all coils at an operating current, A: its share of it for each coil.
   [[nodiscard]] CoilCurrents all_coils(double current) const {
     if (spec_.current_shares.size() == 0) return CoilCurrents::Constant(coils(), current);
     return current * spec_.current_shares;
   }
-  /// What each coil carries of the operating current, (coils).
+  /// Share of the operating current that each coil carries, (coils).
   [[nodiscard]] CoilCurrents current_shares() const { return all_coils(1.0); }
 
   /// Joint torques of magnetics and hinges, N m: everything but gravity and inertia.
@@ -99,59 +101,60 @@ class Model {
                                                const mechanics::JointVector& rates, const CoilCurrents& currents,
                                                InitialHistory history = InitialHistory::long_hold) const;
 
-  /// Of the magnetics alone, at rest under `command` (A), N m: what a torque bench with a bare joint reads.
+  /// Torques of the magnetics alone, at rest under `command` (A), N m: the reading of a torque bench with a bare joint.
   [[nodiscard]] mechanics::JointVector magnetic_torques(const mechanics::JointVector& angles,
                                                         const CoilCurrents& command) const;
 
-  /// Of the hinges alone, at rest without current, N m: what a gauge that holds the joints reads, with its sign turned.
+  /// Torques of the hinges alone, at rest without current, N m: the reading of a gauge that holds the joints, with its
+  /// sign reversed.
   [[nodiscard]] mechanics::JointVector hinge_torques(const mechanics::JointVector& angles) const;
 
-  /// The whole equation of motion: accelerations, rad/s^2, and slopes of the effects' states `internal` (each in its
-  /// unit a second) under the commanded currents (A) and further joint torques `applied` (N m). The spans of states
-  /// have internal_states() entries. `held`: joints at rest that stay so, whatever holds them.
+  /// Evaluates the whole equation of motion: accelerations, rad/s^2, and slopes of the effects' states `internal` (each
+  /// in its unit per second) under the commanded currents (A) and further joint torques `applied` (N m). The spans of
+  /// states have internal_states() entries. `held` marks joints at rest that stay at rest.
   void derivative(const mechanics::JointVector& angles, const mechanics::JointVector& rates,
                   std::span<const double> internal, const CoilCurrents& command, const mechanics::JointVector& applied,
                   mechanics::JointVector& accelerations, std::span<double> internal_slopes,
                   std::span<const int> held = {}) const;
 
-  /// Slopes of the equation of motion about one motion under constant effective currents (A), so that
-  /// by_acceleration a = -by_rate w - by_angle t for small changes t of the angles, w of the rates and a of the
-  /// accelerations. Analytic. Without the face contacts, which are no smooth function: whoever follows a motion knows
-  /// which of them push. For a model without terms (has_terms()).
+  /// Slopes of the equation of motion about one motion under constant effective currents (A): by_acceleration a =
+  /// -by_rate w - by_angle t for small changes t of the angles, w of the rates and a of the accelerations. They are
+  /// analytic and leave out the face contacts, which are not smooth. Only for a model without terms (has_terms()).
   [[nodiscard]] mechanics::ChainSlopes slopes_without_contact(const mechanics::JointVector& angles,
                                                               const mechanics::JointVector& rates,
                                                               const mechanics::JointVector& accelerations,
                                                               const CoilCurrents& currents) const;
 
-  /// Torque left over at rest, N m: zero in an equilibrium.
+  /// Sum of torques at rest, N m: zero in an equilibrium.
   [[nodiscard]] mechanics::JointVector static_residual(const mechanics::JointVector& angles,
                                                        const CoilCurrents& currents,
                                                        InitialHistory history = InitialHistory::long_hold) const;
 
-  /// -d(static residual)/d(angle), (n, n), N m/rad; an equilibrium is stable where it is positive definite.
+  /// Negative slope of static_residual() by the angles, (n, n), N m/rad. An equilibrium is stable if it is positive
+  /// definite.
   [[nodiscard]] mechanics::JointMatrix tangent_stiffness(const mechanics::JointVector& angles,
                                                          const CoilCurrents& currents,
                                                          InitialHistory history = InitialHistory::long_hold) const;
 
-  /// Damping of every joint at rest at `angles`, N m s/rad: of its hinge, and of its stop where that is pressed.
+  /// Damping of every joint at rest at `angles`, N m s/rad: that of its hinge, and that of its stop if it is pressed.
   [[nodiscard]] mechanics::JointVector damping(const mechanics::JointVector& angles) const;
 
-  /// The same as (n, n) under currents (A), with what the effects add: of small motions about a pose at rest.
+  /// Damping of small motions about a pose at rest under currents (A), (n, n), including that of the effects.
   [[nodiscard]] mechanics::JointMatrix damping(const mechanics::JointVector& angles, const CoilCurrents& command) const;
 
-  /// The sum of the joint angles, rad: what a camera without error shows.
+  /// The sum of the joint angles, rad, which a camera without error shows.
   [[nodiscard]] static double bending_angle(const mechanics::JointVector& angles) { return angles.sum(); }
 
-  /// What a camera that filters shows of the joints in a state: their angles and rates as they are where it does not.
-  /// Its scale, offset and delay are not in it: pass an angle, or a sum of angles, to observed(). `internal` are all
-  /// states of the effects.
+  /// The joints' angles and rates as a camera that filters shows them; without a filter they are the true ones. Scale,
+  /// offset and delay are not included: pass an angle, or a sum of angles, to observed(). `internal` has all states of
+  /// the effects.
   [[nodiscard]] ShownMotion shown(const mechanics::JointVector& angles, const mechanics::JointVector& rates,
                                   std::span<const double> internal) const;
   /// Whether shown() may differ from the motion: EffectTerm::shows().
   [[nodiscard]] bool camera_filters() const noexcept { return camera_filters_; }
-  /// What the camera shows of an angle, rad: of the bending angle, or of a single joint's.
+  /// The angle that the camera shows for the bending angle, or for a single joint's angle, rad.
   [[nodiscard]] double observed(double angle) const;
-  /// How long ago the motion was that the camera shows now, s; below zero where records are stamped too early.
+  /// Delay of what the camera shows, s; negative if records are stamped too early.
   [[nodiscard]] double delay() const;
 
  private:

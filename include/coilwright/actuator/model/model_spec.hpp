@@ -14,7 +14,7 @@
 
 namespace coilwright::actuator {
 
-/// One joint's own torques: spring, damper, constant, and the faces that meet when it closes.
+/// A joint's own torques: spring, damper, constant, and the faces that meet when it closes.
 struct Hinge {
   double stiffness{};      ///< k, N m/rad; >= 0
   double damping{};        ///< b, N m s/rad; >= 0
@@ -30,10 +30,10 @@ struct ModelSpec {
   int coils{};                    ///< how many currents the magnetics take; >= 0
   mechanics::LinkPoint tip;       ///< what touches first when the finger grasps
   std::vector<Effect> effects{};  ///< each kind at most once
-  /// Where the coils are, for the forces among them that `magnetics` leaves out; null where their places are not known.
+  /// Places of the coils, for the forces among them that `magnetics` leaves out; null if the places are not known.
   std::shared_ptr<const CoilRow> coil_row{};
   std::optional<double> coil_resistance{};  ///< of one coil at 20 degC, ohm, > 0; nothing for a lumped model
-  /// What each coil carries of the operating current, (coils), finite; empty: the whole each.
+  /// Share of the operating current that each coil carries, (coils), finite. Empty: each carries the whole.
   CoilCurrents current_shares{};
   std::optional<TorqueCorrection> torque_correction{};  ///< that a fit found and that has no name
 };

@@ -11,27 +11,28 @@ namespace coilwright::actuator {
 
 struct ModelSpec;
 
-/// What a correction of the torque may depend on: of each joint its own angle (rad), its own rate (rad/s), and the
-/// effective current (A) of the coil at it, or the mean of all coils where none is.
+/// The variables on which a correction of the torque may depend: the angle (rad) or rate (rad/s) of the joint itself,
+/// or the effective current (A) of the coil at it; the mean of all coils at a joint without a coil.
 enum class CorrectionVariable { angle, rate, current };
 
-/// "angle", "rate", "current".
+/// The name of a variable: "angle", "rate", "current".
 [[nodiscard]] std::string_view name_of(CorrectionVariable variable);
 
 /// One variable of a correction, and the values at which its torque is given.
 struct CorrectionAxis {
   CorrectionVariable variable{};
   std::vector<double> nodes{};  ///< SI, increasing; at least 3. The correction is valid from the first to the last
-  /// Between nodes the torque is smooth over asinh(x / linear_below), SI, > 0: over the logarithm of a variable that
-  /// matters in all its orders of magnitude, a rate. Nothing: over the variable itself.
+  /// Scale below which the torque is smooth over the variable itself and above which it is smooth over its logarithm:
+  /// it is smooth over asinh(x / linear_below), SI, > 0. For a rate, which matters in all its orders of magnitude.
+  /// Absent: smooth over the variable.
   std::optional<double> linear_below{};
   friend bool operator==(const CorrectionAxis&, const CorrectionAxis&) = default;
 };
 
-/// A torque that a fit found and that has no name: given over one or two variables at nodes, and added to the joints.
-/// Between the nodes it is the natural cubic spline (in each variable). Beyond the first and the last node, where
-/// nothing was measured, it goes on straight and fades to zero within `fading_share` of the range, twice
-/// differentiable all the way.
+/// A torque without a name that a fit found, given at nodes over one or two variables and added to the joints. Between
+/// the nodes it is the natural cubic spline in each variable. Beyond the first and the last node, where nothing was
+/// measured, it continues straight and fades to zero within `fading_share` of the range; it is twice differentiable
+/// everywhere.
 struct TorqueCorrection {
   std::vector<CorrectionAxis> axes{};  ///< one or two, of different variables
   std::vector<double>
@@ -40,15 +41,16 @@ struct TorqueCorrection {
   friend bool operator==(const TorqueCorrection&, const TorqueCorrection&) = default;
 };
 
-/// The width over which a correction fades beyond a variable's range, as a share of that range (in the coordinate over
-/// which it is smooth).
+/// Width over which a correction fades beyond a variable's range, as a share of that range, in the coordinate over
+/// which it is smooth.
 inline constexpr double fading_share = 0.1;
 
-/// Throws std::invalid_argument naming the rule and the value: axes of one or two different variables with at least 3
-/// finite nodes that increase, `linear_below` finite and > 0, as many finite torques as nodes.
+/// Throws std::invalid_argument naming the rule and the value, unless there are one or two different variables with at
+/// least 3 finite, increasing nodes each, `linear_below` is finite and > 0, and there are as many finite torques as
+/// nodes.
 void validate(const TorqueCorrection& correction);
 
-/// Such a torque ready to be evaluated. Immutable.
+/// Such a torque, prepared for evaluation. Immutable.
 class TorqueSurface {
  public:
   /// Throws as validate().
@@ -60,7 +62,7 @@ class TorqueSurface {
     double torque{};
     double slopes[2]{};
   };
-  /// At `first` and `second`, the values of the variables in the order of the axes, SI.
+  /// The torque at `first` and `second`, the values of the variables in the order of the axes, SI.
   [[nodiscard]] Value at(double first, double second) const;
 
  private:
@@ -77,9 +79,9 @@ class TorqueSurface {
   std::vector<double> values_, along_first_, along_second_, along_both_;
 };
 
-/// What it does in a model whose stages are those of `spec`: a term of the stage Stage::chain, because nobody knows to
-/// which stage it belongs. Throws std::invalid_argument as validate(), and where it needs a coil or a joint that the
-/// model lacks.
+/// Makes the term of a correction for a model with the stages of `spec`. Its stage is Stage::chain, because nobody
+/// knows to which stage it belongs. Throws std::invalid_argument as validate(), and if it needs a coil or a joint that
+/// the model lacks.
 [[nodiscard]] std::unique_ptr<const EffectTerm> correction_term(const TorqueCorrection& correction,
                                                                 const ModelSpec& spec);
 

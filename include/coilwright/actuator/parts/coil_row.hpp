@@ -17,8 +17,8 @@ struct PlacedCoil {
   double polarity = 1.0;  ///< +1 or -1: the sense of its moment at positive current
 };
 
-/// All coils of an actuator, and the pairs that they are among themselves. Logically immutable and thread-safe; the
-/// pairs' curves are computed lazily on first use and cached.
+/// All coils of an actuator and the pairs among them. Logically immutable and thread-safe; the pairs' curves are
+/// computed on first use and cached.
 class CoilRow {
  public:
   /// `coils` base to tip, in the order of their currents, each on a link of its own; at least two. `chain` at angles 0
@@ -28,8 +28,8 @@ class CoilRow {
           double curve_tolerance = 1e-6);
 
   [[nodiscard]] const std::vector<PlacedCoil>& coils() const noexcept { return coils_; }
-  /// Every coil with every other, each force curve exact to the tolerance times its largest value from 0.9 of the
-  /// distance when straight, for neighbours from where they would touch if that is more. Safe from any thread.
+  /// Every pair of coils. Each force curve has an error of at most the tolerance times its largest value, from 0.9 of
+  /// the straight distance on, or from contact on for neighbours that touch later. Safe from any thread.
   [[nodiscard]] std::vector<DistantPair> pairs() const;
 
  private:

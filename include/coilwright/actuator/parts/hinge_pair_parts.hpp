@@ -13,8 +13,8 @@
 
 namespace coilwright::actuator {
 
-/// What a hinge pair is made of, and the curves of torque per ampere that follow from it. Logically immutable and
-/// thread-safe; the exact curve is computed lazily on first use (0.1 to 1 s of field evaluations at most) and cached.
+/// The parts of a hinge pair, and the curves of torque per ampere that follow from them. Logically immutable and
+/// thread-safe; the exact curve is computed on first use (0.1 to 1 s) and cached.
 class HingePairParts {
  public:
   /// Inputs of a HingePairParts.
@@ -24,20 +24,22 @@ class HingePairParts {
     magnetics::HingeGeometry geometry;
     magnetics::Fidelity fidelity{};  ///< by which the model takes the pair's torque
     magnetics::Curve::Spec range;    ///< of joint angles, rad
-    /// Where the curve by the line of centres starts instead, rad: the coaxial force is smooth where parts overlap, and
-    /// a chain without stops swings there. Given up for `range` where that is not so.
+    /// The angle at which the curve by the line of centres starts, rad, if that is below `range`: its coaxial force is
+    /// smooth where parts overlap, and a chain without stops swings there. If the curve is not smooth there, `range`
+    /// counts.
     std::optional<double> line_of_centres_lower{};
   };
-  /// Keeps the inputs; builds no curve yet.
+  /// Keeps the inputs and builds no curve yet.
   explicit HingePairParts(const Spec& spec) : spec_(spec) {}
-  /// The same pair, whose curves have this error; shares the curves of `computed`, not null.
+  /// The same pair with an error of its curves. It shares the curves of `computed`, which is not null.
   HingePairParts(std::shared_ptr<const HingePairParts> computed, const TorqueCurveError& error)
       : spec_(computed->spec_), computed_(std::move(computed)), error_(error) {}
 
   [[nodiscard]] const Spec& spec() const noexcept { return spec_; }
-  /// Torque per ampere by the fidelity of the spec, N m/A over rad: magnetics::torque_curve and its errors.
+  /// Torque per ampere by the fidelity of the spec, N m/A over rad. Throws the errors of magnetics::torque_curve.
   [[nodiscard]] std::shared_ptr<const magnetics::Curve> torque() const;
-  /// The same with the whole force and torque of the tilted, displaced pair. Safe from any thread.
+  /// Torque per ampere by the whole force and torque of the tilted, displaced pair, N m/A over rad. Safe from any
+  /// thread.
   [[nodiscard]] std::shared_ptr<const magnetics::Curve> exact_torque() const;
 
  private:

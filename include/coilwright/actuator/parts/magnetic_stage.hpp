@@ -23,12 +23,12 @@ struct HingePair {
   int magnet = -1;                                            ///< index among the magnets; -1: not known
 };
 
-/// Two components with at least one joint and one component between them.
-/// A coil's strength is its current, a magnet's is 1; the pair's is the product of the two.
+/// Two components that are not neighbours: at least one joint and one component lie between them. A coil's strength is
+/// its current, a magnet's is 1, and the pair's is the product of both.
 ///
-/// The pair's energy is strength * axial energy at the distance of the centres, with the orientation of two dipoles
-/// where `orientation` says so: W(z) (3 (a.z)(b.z) - a.b) / 2, which is exact on the axis and far away. Without it the
-/// pair pulls along the line of centres with its coaxial force.
+/// With Orientation::dipoles the pair's energy is strength * W(z) (3 (a.z)(b.z) - a.b) / 2, with W the axial energy at
+/// the distance of the centres; this is exact on the axis and far away. With Orientation::ignored the pair pulls along
+/// the line of centres with its coaxial force.
 struct DistantPair {
   /// How the pair's energy depends on the directions of its axes.
   enum class Orientation { ignored, dipoles };
@@ -48,24 +48,24 @@ struct DistantPair {
       axial_energy;  ///< W with -dW/dz = axial_force and W(infinity) = 0, J (per A, A^2)
 };
 
-/// Second stage of a model: joint angles and coil currents in, joint torques out.
+/// Second stage of a model: turns joint angles and coil currents into joint torques.
 class MagneticStage {
  public:
   MagneticStage() = default;
-  /// The pairs across one joint and those further apart.
+  /// Takes the pairs across one joint, and those that are further apart.
   MagneticStage(std::vector<HingePair> hinge_pairs, std::vector<DistantPair> distant_pairs);
 
-  /// Adds the magnetic torque of every joint (N m) at `angles` (rad) to `torques`. Outside its range a
-  /// curve goes on along its tangent; contacts stop a joint before that is more than a few thousandths of a radian.
+  /// Adds the magnetic torque of every joint (N m) at `angles` (rad) to `torques`. Outside its range a curve continues
+  /// along its tangent; contacts stop a joint within a few thousandths of a radian of it.
   void add_torques(const mechanics::PlanarChain& chain, const mechanics::JointVector& angles,
                    const CoilCurrents& currents, mechanics::JointVector& torques) const;
 
-  /// Adds -d(torque)/d(angle), (n, n), N m/rad, to `stiffness`: analytic.
+  /// Adds the negative slope of the torques by the angles, (n, n), N m/rad, to `stiffness`. Analytic.
   void add_stiffness(const mechanics::PlanarChain& chain, const mechanics::JointVector& angles,
                      const CoilCurrents& currents, mechanics::JointMatrix& stiffness) const;
 
-  /// The same pairs with magnets of other strengths, one per magnet: its polarisation over that of the curves. Pairs
-  /// whose magnets are not known stay.
+  /// Returns the same pairs with magnets of other strengths, one per magnet (its polarisation over that of the curves).
+  /// Pairs whose magnets are not known stay.
   [[nodiscard]] MagneticStage with_magnet_strengths(std::span<const double> strengths) const;
 
   [[nodiscard]] const std::vector<HingePair>& hinge_pairs() const noexcept { return hinge_pairs_; }

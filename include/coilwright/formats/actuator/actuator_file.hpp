@@ -13,7 +13,7 @@
 
 namespace coilwright::formats {
 
-/// What an actuator file describes.
+/// The content of an actuator file.
 struct ActuatorFile {
   std::string name;
   std::variant<actuator::Design, actuator::Model> content;    ///< `actuator/1` or `lumped-model/1`
@@ -21,20 +21,20 @@ struct ActuatorFile {
 };
 
 /// Reads an actuator: a design (`"format": "actuator/1"`) or a lumped model (`"format": "lumped-model/1"`). Keys, units
-/// and defaults are in docs/formats.md. Measured values become calibration factors here. Its effects are of
-/// `effects`, whose kinds the result refers to. Throws InputError.
+/// and defaults are in docs/formats.md. Measured values become calibration factors. Its effects must be among
+/// `effects`, to whose kinds the result refers. Throws InputError.
 [[nodiscard]] ActuatorFile read_actuator(const std::filesystem::path& path,
                                          const actuator::EffectCatalogue& effects = actuator::standard_effects());
 
-/// The same for a text in memory; `file` is the name its errors carry.
+/// Parses an actuator from a text in memory; errors call it `file`.
 [[nodiscard]] ActuatorFile parse_actuator(std::string_view text, std::string file,
                                           const actuator::EffectCatalogue& effects = actuator::standard_effects());
 
-/// The design of `file`. Throws InputError with `reason` where that is a lumped model; `who` names it.
+/// The design of `file`. Throws InputError with `reason` if it is a lumped model; `who` names it.
 [[nodiscard]] const actuator::Design& design_of(const ActuatorFile& file, const std::string& who,
                                                 std::string_view reason);
 
-/// What a caller says of an operating point, over what the actuator's file says; nothing: as there.
+/// The parts of an operating point that a caller states; absent ones are those of the actuator's file.
 struct OperatingWords {
   std::optional<double> current{}, duty{};    ///< A; 1
   std::optional<double> grasp_opening{};      ///< degrees
@@ -44,8 +44,8 @@ struct OperatingWords {
   std::optional<double> supply_voltage{};     ///< V
 };
 
-/// The operating point of `file`, called `who`, with these. Throws InputError where a number breaks its rule, where
-/// neither has a current (`cure` says how to give one), and where coils with shares of the current are in series.
+/// The operating point of `file`, called `who`, with the stated parts. Throws InputError if a number breaks its rule,
+/// if neither has a current (`cure` tells how to give one), and if coils with shares of the current are in series.
 [[nodiscard]] actuator::OperatingPoint operating_point_of(const ActuatorFile& file, const OperatingWords& said,
                                                           const std::string& who, const std::string& cure);
 

@@ -17,7 +17,7 @@
 
 namespace coilwright::formats {
 
-/// A lumped model's file with other numbers.
+/// The content of a lumped model's file, with other numbers.
 struct UpdatedLumpedModel {
   text::Document document;  ///< as it was read, but for its numbers; its "effects" and "as_built" count no more
   std::vector<actuator::Effect> effects;  ///< all of the model
@@ -27,31 +27,33 @@ struct UpdatedLumpedModel {
 /// An actuator after a diagnosis, to be written by to_json().
 using UpdatedActuator = std::variant<actuator::Design, UpdatedLumpedModel>;
 
-/// The key "effects" of an actuator file: read back, they are the same effects.
+/// The key "effects" of an actuator file. Reading it back gives the same effects.
 [[nodiscard]] text::Json to_json(std::span<const actuator::Effect> effects);
 
-/// The numbers of one effect under their keys, as "parameters" of that key has them.
+/// The numbers of one effect under their keys: the content of "parameters".
 [[nodiscard]] text::Json parameters_json(const actuator::Effect& effect);
 
-/// A design as an `actuator/1` file, with every value, its calibration factors and its effects: read back, it is the
-/// same design. With an operating point, that is what `evaluate` takes where it is told no other.
+/// A design as an `actuator/1` file, with every value, its calibration factors and its effects. Reading it back gives
+/// the same design. If it has an operating point, `evaluate` takes that by default.
 [[nodiscard]] text::Json to_json(const actuator::Design& design, const std::string& name,
                                  const std::optional<actuator::OperatingPoint>& operating_point = std::nullopt);
 
-/// An actuator after a diagnosis, complete: a design under `name`; a lumped model as its file was, with the new numbers
-/// and all effects.
+/// An actuator after a diagnosis, complete: a design under `name`, or a lumped model as its file was, with the new
+/// numbers and all effects.
 [[nodiscard]] text::Json to_json(const UpdatedActuator& actuator, const std::string& name);
 
-/// A model given by its numbers as a `lumped-model/1` file under `name`, with a `description` for people (left out
-/// where it is empty). Read back, it is the same model to rounding. A table is written over angle_deg and torque_Nmm_A,
-/// a pair by its dimensions; a joint without a pair has null. Throws std::invalid_argument where a pair has no joint
-/// among the links, or two have the same.
+/// A model given by its numbers as a `lumped-model/1` file under `name`, with a `description` for people (left out if
+/// empty). Reading it back gives the same model to rounding. A table has angle_deg and torque_Nmm_A, a pair its
+/// dimensions, a joint without a pair null. Throws std::invalid_argument if a pair has no joint among the links, or two
+/// pairs have the same.
 [[nodiscard]] text::Json to_json(const actuator::LumpedModel& model, const std::string& name,
                                  const std::string& description = "");
 
-/// The key "operating_point" of an actuator file and of result.json, with every value: read back, it is the same point.
+/// The key "operating_point" of an actuator file and of result.json, with every value. Reading it back gives the same
+/// point.
 [[nodiscard]] text::Json to_json(const actuator::OperatingPoint& point);
-/// That of such a file: its conditions and "current_A", which must be there. Throws text::InputError.
+/// Reads the operating point of such a file: its conditions and "current_A", which is required. Throws
+/// text::InputError.
 [[nodiscard]] actuator::OperatingPoint read_operating_point(const text::Node& node);
 
 }  // namespace coilwright::formats

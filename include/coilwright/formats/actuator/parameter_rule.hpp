@@ -6,11 +6,10 @@
 
 namespace coilwright::formats {
 
-/// The rule of a parameter of a Design in the terms of an input file: in the unit of its key. Of a parameter that has
-/// names it says nothing.
+/// The rule of a parameter of a Design, in the unit of its key. It does not apply to a parameter that is a choice.
 [[nodiscard]] text::Rule rule_of(const actuator::Parameter& parameter);
 
-/// The rule of an effect's parameter, in the unit of its key. Of one that has choices it says nothing.
+/// The rule of an effect's parameter, in the unit of its key. It does not apply to a parameter that has choices.
 [[nodiscard]] text::Rule rule_of(const actuator::EffectParameter& parameter);
 
 }  // namespace coilwright::formats

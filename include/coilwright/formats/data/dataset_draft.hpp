@@ -12,7 +12,8 @@
 
 namespace coilwright::formats {
 
-/// What a table seems to be, by the names, units and numbers of its columns. Nothing is certain but what has our names.
+/// The probable layout of a table, from the names, units and numbers of its columns. Only columns with our names are
+/// certain.
 struct LayoutGuess {
   text::CsvLayout layout{};  ///< columns that have other names than ours, what is left over, a sampling rate
   measurement::data::RunKind kind{};
@@ -21,7 +22,7 @@ struct LayoutGuess {
   std::vector<std::string> asked{};    ///< what only a person knows, a sentence each
 };
 
-/// What is known of a table.
+/// The known content of a table.
 struct TableContent {
   std::optional<measurement::data::RunKind> kind{};  ///< of its run; nothing: that is guessed too
   bool input{true};                                  ///< a motion's: whether it should have the input
@@ -31,7 +32,7 @@ struct TableContent {
 /// Guesses the layout of a table.
 [[nodiscard]] LayoutGuess guess_layout(const text::CsvForm& form, const TableContent& content = {});
 
-/// A dataset.json made from what files of records look like.
+/// A dataset.json drafted from the files of records.
 struct DatasetDraft {
   text::Json document{};
   std::vector<std::string> guessed{};  ///< what a person should check, a sentence each
@@ -39,8 +40,8 @@ struct DatasetDraft {
       asked{};  ///< what only a person knows, a sentence each; without it `diagnose` refuses the set
 };
 
-/// Drafts a measured-data/1 document that stands in `folder` and names `actuator` (a path from there) and the files.
-/// A layout that suits all files stands once, for the set. Throws InputError for a file that cannot be read.
+/// Drafts a measured-data/1 document in `folder` that names `actuator` (a path from there) and the files. A layout that
+/// suits all files stands once, for the set. Throws InputError for a file that cannot be read.
 [[nodiscard]] DatasetDraft draft_dataset(std::span<const std::filesystem::path> files,
                                          const std::filesystem::path& folder, const std::string& actuator);
 

@@ -16,7 +16,7 @@
 
 namespace coilwright::formats {
 
-/// What the folder of a data set holds.
+/// The content of the folder of a data set.
 struct DatasetFile {
   std::string file;  ///< path of dataset.json, for errors about it
   measurement::data::Dataset data{};
@@ -27,19 +27,18 @@ struct DatasetFile {
   std::optional<std::filesystem::path> actuator{};  ///< the declared model, where the set names one; not opened
 };
 
-/// Reads a measured-data/1 set: its dataset.json (or the folder of it) and every CSV file it names. Validate runs are
-/// read, so that a fault of their files is told at once, but nothing is concluded from their numbers: warnings, and
-/// refusals of what cannot be right, are about fit and still runs only. A set that names no validate run has some held
-/// out by measurement::data::with_runs_held_out(). Effects that it names are of `known`. Throws InputError naming file,
-/// place and rule.
+/// Reads a measured-data/1 set: its dataset.json (or its folder) and every CSV file that it names. Validate runs are
+/// read, so that faults of their files are reported at once, but warnings and refusals of implausible numbers concern
+/// fit and still runs only. If no run is for validation, measurement::data::with_runs_held_out() holds some out. Its
+/// effects must be among `known`. Throws InputError naming file, place and rule.
 [[nodiscard]] DatasetFile read_dataset(const std::filesystem::path& path,
                                        const actuator::EffectCatalogue& known = actuator::standard_effects());
 
-/// The same for the text of a dataset.json; its runs' files count from the folder of `file`.
+/// Parses the text of a dataset.json; its runs' files count from the folder of `file`.
 [[nodiscard]] DatasetFile parse_dataset(std::string_view text, std::string file,
                                         const actuator::EffectCatalogue& known = actuator::standard_effects());
 
-/// A run and whether fits must not see it.
+/// A run, and whether it is hidden from fits.
 struct RunWithRole {
   const measurement::data::Run& run;
   bool validate{};
@@ -49,20 +48,17 @@ struct RunWithRole {
 [[nodiscard]] text::Json dataset_json(const std::string& name, const std::string& actuator,
                                       std::span<const RunWithRole> runs);
 
-/// The CSV file of a run: the columns of its kind, then its channels under their names, in the units of the names.
-/// Twelve digits, far beyond any instrument: what a resolution of 0.02 deg made 30.02 is not written as
-/// 30.020000000000003.
-/// An input on a clock of its own is not among them.
+/// Writes the CSV file of a run: the columns of its kind, then its channels, in the units of their names, with twelve
+/// digits. So 30.02 is not written as 30.020000000000003. An input on a clock of its own is not included.
 void write_run(std::ostream& out, const measurement::data::Run& run);
 
-/// The file of a run's input where that has a clock of its own, beside the run's: "step_input.csv" for "step.csv";
-/// nothing where it has not.
+/// The file name of a run's input if it has a clock of its own: "step_input.csv" for "step.csv"; absent if it has not.
 [[nodiscard]] std::optional<std::string> input_file_name(const measurement::data::Run& run);
 
-/// The same of a run of this name that has one.
+/// The file name of the input of a run with this name that has its own clock.
 [[nodiscard]] std::string input_file_name(const std::string& run);
 
-/// The CSV file of such an input. Precondition: run.has_input_clock().
+/// Writes the CSV file of such an input. Precondition: run.has_input_clock().
 void write_input(std::ostream& out, const measurement::data::Run& run);
 
 }  // namespace coilwright::formats

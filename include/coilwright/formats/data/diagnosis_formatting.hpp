@@ -15,7 +15,7 @@ namespace coilwright::formats {
 /// Ids of some kinds of effects.
 [[nodiscard]] std::vector<std::string> ids(std::span<const actuator::EffectKind* const> kinds);
 
-/// The comparison that a reader looks at first (an angle where there is one), then the others as they come.
+/// The comparisons of errors: the main one first (an angle if there is one), then the others in their order.
 [[nodiscard]] std::vector<const measurement::ErrorComparison*> main_first(
     std::span<const measurement::ErrorComparison> comparisons);
 
@@ -33,36 +33,36 @@ struct MovedNumberInUnit {
 };
 [[nodiscard]] MovedNumberInUnit in_unit(const measurement::MovedNumber& number);
 
-/// How far a declared number has moved, in its tolerances: + where it is larger than declared. Of one that changes
-/// nothing where it is: how far it has moved at least.
+/// How far a declared number has moved, in its tolerances; positive if it is larger than declared. For a number that
+/// changes nothing at its value it is the least distance.
 [[nodiscard]] double tolerances_moved(const measurement::MovedNumber& number);
 
-/// Whether these are the effects that the diagnosis reports, in any order; never for none.
+/// Whether the diagnosis reports exactly these effects, in any order; false for none.
 [[nodiscard]] bool is_reported(const measurement::Diagnosis& diagnosis,
                                std::span<const actuator::EffectKind* const> kinds);
 
-/// The hypothesis whose effects the diagnosis reports: that of no effect where it reports none. Null where no
-/// hypothesis was compared.
+/// The hypothesis whose effects the diagnosis reports, or that of no effect if it reports none. Null if no hypothesis
+/// was compared.
 [[nodiscard]] const measurement::identification::WeighedHypothesis* reported_hypothesis(
     const measurement::Diagnosis& diagnosis);
 
-/// Chi-square of the declared model, fitted anew without effects; NaN where no hypothesis was compared.
+/// Chi-square of the declared model, fitted anew without effects; NaN if no hypothesis was compared.
 [[nodiscard]] double chi_square_without_effects(const measurement::Diagnosis& diagnosis);
 
 /// The probability that an effect is there, whatever its further numbers.
 [[nodiscard]] double probability_of(const measurement::Diagnosis& diagnosis, const actuator::EffectKind& kind);
 
-/// A quantity as the report calls it: "torque"; "angle" for both kinds of angles, whose errors are taken together.
+/// The name of a quantity in the report: "torque"; "angle" for both kinds of angles, whose errors are taken together.
 [[nodiscard]] std::string_view name_of(measurement::data::ChannelKind quantity);
 
-/// The unit of its errors: deg, deg_s, Nmm, N or K.
+/// The unit of the quantity's errors: deg, deg_s, Nmm, N or K.
 [[nodiscard]] units::Unit error_unit(measurement::data::ChannelKind quantity);
 
-/// What the report calls a variable on which a residual may depend: {"angle", rad} is written in deg, {"current
-/// history", ...} as it is.
+/// The unit in which the report states a variable on which a residual may depend: deg for "angle"; none for "current
+/// history".
 [[nodiscard]] units::Unit variable_unit(std::string_view variable);
 
-/// "mae" and deg make "mae_deg"; no unit leaves the name.
+/// Appends the unit to a name: "mae" and deg make "mae_deg"; no unit leaves the name.
 [[nodiscard]] std::string with_unit(std::string_view name, const units::Unit& unit);
 
 }  // namespace coilwright::formats

@@ -11,7 +11,7 @@
 
 namespace coilwright::formats {
 
-/// A diagnosis in words: what a person is told first, and what a page shows.
+/// A diagnosis in words: what the summary says first, and what a page shows.
 struct DiagnosisSummary {
   std::string verdict{};                   ///< one sentence
   std::vector<std::string> cautions{};     ///< what must be known beside it, a sentence or two each
@@ -20,7 +20,7 @@ struct DiagnosisSummary {
   std::vector<std::string> next_steps{};   ///< what to do next, the most useful first
 };
 
-/// What `diagnose` found, to be written.
+/// The results of `diagnose` that are to be written.
 struct DiagnosisReport {
   const measurement::Diagnosis& diagnosis;  ///< must outlive the report
   std::string dataset{};                    ///< name of the data set
@@ -30,16 +30,16 @@ struct DiagnosisReport {
   std::vector<std::string> held_out{};      ///< files that the tool itself kept from the fit
   std::uint64_t seed{};
   std::string next_experiment_file{};  ///< of the next experiment, beside the report; empty: it is not written
-  /// Why the actuator files are refused as input, a line each: a fit is not bound by what an actuator can be. Empty:
-  /// they are taken.
+  /// Reasons why the actuator files are refused as input, a line each: a fit may find numbers that no actuator can
+  /// have. Empty: they are accepted.
   std::vector<std::string> refused{};
   std::optional<measurement::DesignPosterior> posterior{};  ///< of a design's numbers; nothing for a lumped model
   DiagnosisSummary summary{};                               ///< report::summary_of the rest
 };
 
-/// diagnosis.json, format `diagnosis/1`: the keys of the format first, in its order, then what goes beyond it
+/// diagnosis.json, format `diagnosis/1`: the keys of the format first, in its order, then those that go beyond it
 /// (docs/formats-diagnosis.md). Numbers that do not exist (an open end of an interval, a criterion without a value) are
-/// null. No timings: the same diagnosis gives the same bytes.
+/// null. It has no timings, so the same diagnosis gives the same bytes.
 [[nodiscard]] text::Json to_json(const DiagnosisReport& report);
 
 }  // namespace coilwright::formats

@@ -7,7 +7,7 @@
 
 namespace coilwright::formats {
 
-/// What an experiment could show, with the files that it was planned for.
+/// The answer of `plan`, with the files for which it was made.
 struct PlanReport {
   const measurement::planning::ExperimentPlan& plan;
   std::string experiment{};  ///< file, as it was given

@@ -17,24 +17,25 @@ namespace coilwright::formats {
 [[nodiscard]] text::Json to_json(const systems::rig::StiffnessReadings& readings);
 [[nodiscard]] text::Json to_json(const std::vector<systems::rig::GraspBenchPoint>& points,
                                  const systems::rig::GraspBench& bench);
-/// The camera's frames are left out; they are in the data set.
+/// The same for the camera, without its frames, which are in the data set.
 [[nodiscard]] text::Json to_json(const std::vector<systems::rig::CameraRecord>& records,
                                  const systems::rig::Camera& camera);
 
-/// What a rig is predicted to read, as the run that its record would be: `static_torque` under torque_bench.csv,
-/// `joint_stiffness`, `blocked_force`, `transient`. Without noise, and without a sigma but for a transient's. A run
-/// that is written and read back is what a diagnosis of the actuator predicts, where `fidelity` is the actuator's own.
+/// The predicted readings of a rig as a run of a data set: `static_torque` under torque_bench.csv, `joint_stiffness`,
+/// `blocked_force`, `transient`. It has no noise, and only a transient has a sigma. If `fidelity` is the actuator's
+/// own, a diagnosis of the actuator predicts this run exactly.
 [[nodiscard]] measurement::data::Run run_of(const std::vector<systems::rig::TorqueBenchPoint>& points,
                                             const systems::rig::TorqueBench& bench, magnetics::Fidelity fidelity);
 
-/// The torques of the hinge alone: weight and magnets, which are in the gauge's force, are no part of such a run.
-/// Throws std::invalid_argument where the joint is not the first and differs from that, because the run is the first's.
+/// The torques of the hinge alone; weight and magnets, which are in the gauge's force, are left out. Throws
+/// std::invalid_argument if the joint is not the first and differs from that, because the run is the first joint's.
 [[nodiscard]] measurement::data::Run run_of(const systems::rig::StiffnessReadings& readings);
 
 [[nodiscard]] measurement::data::Run run_of(const std::vector<systems::rig::GraspBenchPoint>& points,
                                             const systems::rig::GraspBench& bench, magnetics::Fidelity fidelity);
 
-/// `sigma` is what the set says of the camera's noise, rad; > 0.
+/// The bending angles of the camera. `sigma` is the standard deviation that the set states for the camera's noise, rad;
+/// > 0.
 [[nodiscard]] measurement::data::Run run_of(const systems::rig::CameraRecord& record, magnetics::Fidelity fidelity,
                                             double sigma);
 

@@ -15,21 +15,22 @@
 
 namespace coilwright::formats {
 
-/// The layout of a file, and what of it the file must have.
+/// The layout of a file, and the parts of it that the file must have.
 struct FileLayout {
   text::CsvLayout layout{};
-  /// Sources and "sampling_rate_Hz" that the file must have a use for, with the key that has them: {"frame", "ignore"}.
+  /// Names and "sampling_rate_Hz" for which the file must have a use, with the key that states them: {"frame",
+  /// "ignore"}.
   std::map<std::string, std::string> must_fit{};
 };
 
-/// What a data set says of a run beside its CSV file.
+/// The entry of a run in a data set, beside its CSV file.
 struct RunEntry {
   std::string name{};  ///< the file, as the data set calls it
   measurement::data::RunKind kind{};
   measurement::data::Start start{};
   std::optional<double> window{};  ///< s
-  /// In the unit of the run's measured column; where a transient has several: of its first angle column (that of the
-  /// bending angle before those of the joints), and where it has rates only, of its first rate.
+  /// Standard deviation in the unit of the run's measured column. In a transient with several columns it is that of the
+  /// first angle (the bending angle comes before those of the joints), or of the first rate if there are only rates.
   std::optional<double> sigma{};
   FileLayout layout{};                                ///< of its file
   std::optional<std::filesystem::path> input_file{};  ///< of a transient: its input, on a clock of its own
@@ -41,18 +42,18 @@ struct RunEntry {
                                          ///< file, with an `input_file` the median interval between measured samples
   double clock_rate{};                   ///< standard deviation of the relative difference of the clocks' rates; >= 0
   double exposure{};                     ///< s; >= 0
-  /// Of a transient's input; in the unit of its first column, one number for all columns or one each.
+  /// Error of a transient's input, in the unit of its first column; one number for all columns or one each.
   measurement::data::InputUncertainty input_uncertainty{};
 };
 
-/// Why a run cannot be used though its file is well formed: an angle that no finger reaches. Not thrown by the reader,
-/// because a run that is held out is not to be looked at.
+/// Why a run cannot be used although its file is well formed, such as an angle that no finger reaches. The reader does
+/// not throw it, because a run that is held out must not be examined.
 struct Objection {
   text::InputError error;
   std::optional<text::CsvColumn> wrapped{};  ///< where a reading wraps: the column that says so
 };
 
-/// A run as its file gives it.
+/// The content of a run's file.
 struct RunFile {
   measurement::data::Run run;
   std::optional<Objection> objection{};
@@ -60,21 +61,32 @@ struct RunFile {
   std::set<std::string> used{};                        ///< what of its layouts its files have a use for
 };
 
-/// Reads the CSV file of a run, and the file of its input if that is another, as their layouts say. A row of a
-/// transient may lack the input, or all measured values: the input has then times of its own. Columns by kind (units of
-/// one dimension are interchangeable): transient: time_s, one input (current_A; current1_A, ..; voltage_V; torque1_Nm,
-/// ..), at least one of bending_angle_deg, theta1_deg, .., omega1_rad_s, ..; the input may be left out where the coils
-/// are open or shorted, and is then a current of 0 in all of them; still: time_s and the same measured columns; an
-/// input is not looked at; static_torque: angle_deg, current_A, torque_Nmm; joint_stiffness: angle_deg, torque_Nmm;
-/// blocked_force: current_A, force_N, and opening_deg and height_mm if that was changed; temperature: time_s,
-/// current_A, temperature_degC.
-/// Throws InputError naming file, line, column and rule, with the columns to write into dataset.json where names are
-/// others; also where a column is in both files, or where the input does
-/// not cover the measurement: it must not begin later by more than three of the clocks' standard deviations, and not
-/// end earlier by more than those and the longest interval between two of its own samples.
+/// Reads the CSV file of a run, and that of its input if that is another file, as their layouts say. A row of a
+/// transient may lack the input, or all measured values; the input then has times of its own.
+///
+/// Columns by kind (units of one dimension are interchangeable):
+///
+/// transient: time_s, one input (current_A; current1_A, ..; voltage_V; torque1_Nm, ..), at least one of
+/// bending_angle_deg, theta1_deg, .., omega1_rad_s, ..; the input may be left out if the coils are open or shorted, and
+/// is then a current of 0 in all of them;
+///
+/// still: time_s and the same measured columns; an input is ignored;
+///
+/// static_torque: angle_deg, current_A, torque_Nmm;
+///
+/// joint_stiffness: angle_deg, torque_Nmm;
+///
+/// blocked_force: current_A, force_N, and optionally opening_deg and height_mm;
+///
+/// temperature: time_s, current_A, temperature_degC.
+///
+/// Throws InputError naming file, line, column and rule, with the columns to write into dataset.json if names differ;
+/// also if a column is in both files, or if the input does not cover the measurement: it must not begin later by more
+/// than three of the clocks' standard deviations, and not end earlier by more than those and the longest interval
+/// between two of its own samples.
 [[nodiscard]] RunFile read_run(const std::filesystem::path& path, const RunEntry& entry);
 
-/// The same for a text in memory; `file` is the name its errors carry.
+/// Parses a run from a text in memory; errors call it `file`.
 [[nodiscard]] RunFile parse_run(std::string_view text, std::string file, const RunEntry& entry);
 
 }  // namespace coilwright::formats

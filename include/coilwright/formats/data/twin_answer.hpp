@@ -11,13 +11,13 @@
 
 namespace coilwright::formats {
 
-/// What the clock of a run really was.
+/// The true shift and rate of the clock of a run.
 struct ClockOfRun {
   std::string run{};  ///< its file
   measurement::planning::TrueClock clock{};
 };
 
-/// What is hidden in the data of a twin, and how they came about.
+/// The hidden effects, noise and clocks of a twin's data.
 struct TwinAnswer {
   std::string dataset{};   ///< folder of the data set
   std::string actuator{};  ///< file that it was made from
@@ -28,7 +28,7 @@ struct TwinAnswer {
   std::uint64_t seed{};
 };
 
-/// The answer's file; its keys are in docs/formats-experiment.md.
+/// The content of the answer's file; its keys are in docs/formats-experiment.md.
 [[nodiscard]] text::Json to_json(const TwinAnswer& answer);
 
 }  // namespace coilwright::formats

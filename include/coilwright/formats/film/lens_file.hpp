@@ -10,7 +10,7 @@ namespace coilwright::formats {
 /// Reads a lens/1 file. Throws InputError.
 [[nodiscard]] video::Lens read_lens(const std::filesystem::path& path);
 
-/// The same, to write.
+/// The content of a lens/1 file.
 [[nodiscard]] text::Json to_json(const video::CalibratedLens& lens);
 
 }  // namespace coilwright::formats

@@ -16,11 +16,11 @@ namespace coilwright::formats {
 /// `theta1_deg`, `omega1_rad_s`, ...) may stand beside them and are not used. Throws InputError.
 [[nodiscard]] simulation::CommandedInput read_commanded_input(const std::filesystem::path& path);
 
-/// The same for a text in memory; `file` is the name its errors carry.
+/// Parses a commanded input from a text in memory; errors call it `file`.
 [[nodiscard]] simulation::CommandedInput parse_commanded_input(std::string_view text, std::string_view file);
 
-/// Throws InputError of `file` for a current that no coil carries, as milliamperes taken for amperes: `coil` is that of
-/// a design.
+/// Throws InputError of `file` for a current that no coil carries, such as milliamperes taken for amperes. `coil` is
+/// that of a design.
 void require_bearable(const simulation::CommandedInput& command, const simulation::ModelInput& input,
                       const std::optional<actuator::CoilElectrics>& coil, const std::string& file);
 

@@ -16,11 +16,11 @@ namespace coilwright::formats {
 /// The columns of what `simulate` writes: time_s, the input, theta1_deg, .., bending_angle_deg, bending_speed_deg_s.
 [[nodiscard]] std::vector<std::string> columns_of_motion(const simulation::CommandedInput& command, int joints);
 
-/// One sample of a motion under `command`, in the units of those columns.
+/// One sample of a motion under `command`, in the units of columns_of_motion().
 [[nodiscard]] std::vector<double> motion_row(const simulation::CommandedInput& command,
                                              const simulation::RecordedMotion& motion, std::size_t sample);
 
-/// The whole motion as CSV.
+/// Writes the whole motion as CSV.
 void write_motion(std::ostream& out, const simulation::CommandedInput& command,
                   const simulation::RecordedMotion& motion);
 

@@ -16,7 +16,7 @@ namespace coilwright::formats {
 [[nodiscard]] text::Json to_json(const simulation::DesignView& design,
                                  const simulation::QuantityTable& quantities = simulation::standard_quantities());
 
-/// The same of a model that is given by its lumps alone: only the quantities that need no design. Current in A.
+/// The same for a lumped model: only the quantities that need no design. Current in A.
 [[nodiscard]] text::Json to_json(const simulation::MotionSummary& motion, double current,
                                  const simulation::QuantityTable& quantities = simulation::standard_quantities());
 
@@ -29,11 +29,11 @@ namespace coilwright::formats {
 /// The key "assumptions" of `evaluate --json`: every quantity under each other modelling choice.
 [[nodiscard]] text::Json to_json(std::span<const simulation::ChoiceEffect> effects);
 
-/// What is said of a choice itself: subject, taken, otherwise, settled_by.
+/// The description of a choice: subject, taken, otherwise, settled_by.
 [[nodiscard]] text::Json to_json(const actuator::OtherChoice& choice);
 
-/// The key "torque_correction" of `evaluate --json`: for each variable of a nameless correction where it was measured,
-/// where it is used, and whether that is beyond.
+/// The key "torque_correction" of `evaluate --json`: for each variable of a nameless correction the range in which it
+/// was measured, the range in which it is used, and whether it is used beyond.
 [[nodiscard]] text::Json to_json(std::span<const simulation::CorrectionReach> reach);
 
 }  // namespace coilwright::formats

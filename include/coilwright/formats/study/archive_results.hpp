@@ -14,7 +14,7 @@
 
 namespace coilwright::formats {
 
-/// What an archive is of, and what happened to it.
+/// The subject of an archive, and its runs.
 struct ArchiveSummary {
   archive::Contents contents;      ///< of the archive
   std::vector<archive::Run> runs;  ///< in their order
@@ -32,23 +32,23 @@ struct Replay {
   archive::Program program;     ///< this one
 };
 
-/// A number that came out otherwise.
+/// A number that differs at the second evaluation.
 struct Difference {
   std::string name;      ///< "mass_g", "mass_g <= 70", "failure"
   std::string recorded;  ///< with every digit; "none" where there is none
   std::string again;     ///< the same
 };
 
-/// All that differs, in the order of the archive's columns; empty where every bit is the same.
+/// All differences, in the order of the archive's columns; empty if every bit is the same.
 [[nodiscard]] std::vector<Difference> differences(const Replay& replay);
 
 /// An archive's study, program and runs.
 [[nodiscard]] text::Json to_json(const ArchiveSummary& summary);
 
-/// Designs with all that an archive has of them.
+/// Designs with all values that an archive has of them.
 [[nodiscard]] text::Json to_json(const archive::Contents& contents, std::span<const archive::Row> rows);
 
-/// Whether the numbers are the same, and where not, both.
+/// Whether the numbers are the same, and both if they are not.
 [[nodiscard]] text::Json to_json(const Replay& replay);
 
 /// The designs of an archive as CSV, row by row: row, run, number, status, the variables, the objectives and limits

@@ -17,8 +17,8 @@ namespace coilwright::formats {
 /// empty.
 [[nodiscard]] std::size_t middle_of(const sizing::ParetoResult& result);
 
-/// result.json of `pareto`; its keys are in docs/formats.md. `study` has the options that were used, `broken` what the
-/// designs of the front break of their parts.
+/// result.json of `pareto`; its keys are in docs/formats-results.md. `study` has the options that were used, `broken`
+/// the limits of parts that designs of the front break.
 [[nodiscard]] text::Json to_json(const sizing::Study& study, const sizing::ParetoResult& result,
                                  std::span<const sizing::BrokenPartLimit> broken);
 

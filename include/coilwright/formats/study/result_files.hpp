@@ -12,25 +12,26 @@
 
 namespace coilwright::formats {
 
-/// The design of a study at a point as an actuator file (actuator/1) under that name, with the operating point at which
-/// it was judged: none where `result`, its evaluation, has none.
+/// The design of a study at a point as an actuator file (actuator/1) under that name. It has the operating point at
+/// which `result`, its evaluation, judged it, if `result` has one.
 [[nodiscard]] std::string design_text(const sizing::DesignProblem& problem, std::span<const double> point,
                                       const sizing::DesignResult& result, const std::string& name);
 
-/// The design that a search found, feasible or not, as actuator.json; it must have found one. A feasible one is read
-/// back, evaluated and held against every limit: throws std::logic_error where it breaks one.
+/// The design that a search found, feasible or not, as actuator.json; the search must have found one. A feasible one is
+/// read back, evaluated and compared with every limit. Throws std::logic_error if it breaks one.
 [[nodiscard]] std::string found_design_text(const sizing::DesignProblem& problem, const sizing::SearchResult& result,
                                             const sizing::DesignResult& best);
 
-/// What `size` found, from its parts, which must outlive it.
+/// The report of `size` from its parts, which must outlive it.
 [[nodiscard]] SizeReport size_report(const sizing::DesignProblem& problem, const sizing::SearchResult& result,
                                      const sizing::AfterSearch& after);
 
-/// The files of `size`: result.json, evaluations.csv, convergence.csv and actuator.json, where there is a design. The
-/// caller commits the folder.
+/// Writes the files of `size`: result.json, evaluations.csv, convergence.csv and, if there is a design, actuator.json.
+/// The caller commits the folder.
 void write_size(text::OutputFolder& folder, const sizing::DesignProblem& problem, const SizeReport& report);
 
-/// The files of `pareto`: front.csv, evaluations.csv, convergence.csv and result.json, likewise.
+/// Writes the files of `pareto`: front.csv, evaluations.csv, convergence.csv and result.json. The caller commits the
+/// folder.
 void write_pareto(text::OutputFolder& folder, const sizing::Study& study, const sizing::ParetoResult& result,
                   std::span<const sizing::BrokenPartLimit> broken);
 

@@ -13,7 +13,7 @@
 
 namespace coilwright::formats {
 
-/// What became of the designs of an archive.
+/// Counts of the designs of an archive by their status.
 struct ArchiveCounts {
   std::size_t ok{};
   std::size_t infeasible{};
@@ -29,13 +29,13 @@ struct ArchiveCounts {
 /// {"ok": .., "infeasible": .., "failed": .., "left_out": ..}
 [[nodiscard]] text::Json to_json(const ArchiveCounts& counts);
 
-/// The objectives as the study has them: [{"maximise": "stroke_deg"}].
+/// The objectives as the study states them: [{"maximise": "stroke_deg"}].
 [[nodiscard]] text::Json objectives_asked(const sizing::Study& study);
 
 /// [{"quantity": .., "designs": .., "consequence": ..}]
 [[nodiscard]] text::Json to_json(std::span<const sizing::BrokenPartLimit> broken);
 
-/// The first keys of a result file: what was asked, and how it was searched.
+/// The first keys of a result file: the question, and how it was searched.
 [[nodiscard]] text::Json result_head(std::string_view command, const sizing::Study& study, sizing::StopReason reason);
 
 /// A variable's value at a coordinate: a word, a whole number or a number in the unit of the variable's name.
@@ -50,7 +50,7 @@ struct ArchiveCounts {
 /// [{"quantity": "mass_g", "at_most": 70, "value": 69.2, "margin": 0.8}, ...]; values null for a failed design.
 [[nodiscard]] text::Json constraints_json(const sizing::Study& study, const sizing::Evaluation& evaluation);
 
-/// A design with all three, under "variables", "objectives" and "constraints".
+/// A design with its three parts, under "variables", "objectives" and "constraints".
 [[nodiscard]] text::Json design_json(const sizing::Study& study, std::span<const double> point,
                                      const sizing::Evaluation& evaluation);
 

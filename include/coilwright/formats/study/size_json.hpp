@@ -14,10 +14,10 @@
 
 namespace coilwright::formats {
 
-/// Builds by fresh dice with which `size` ends a study with a spread.
+/// Number of builds by fresh dice with which `size` ends a study with a spread.
 inline constexpr std::size_t builds_of_answer = 2000;
 
-/// What `size` found, to be written. Everything referred to must outlive it.
+/// The results of `size` that are to be written. Everything referred to must outlive it.
 struct SizeReport {
   const sizing::Study& study;           ///< with the options that were used
   const sizing::SearchResult& result;   ///< of the search
@@ -30,7 +30,7 @@ struct SizeReport {
   std::optional<sizing::Yield> built{};  ///< of a feasible answer to a study with a spread, unless left out likewise
 };
 
-/// Designs evaluated under other modelling choices, beyond those of the search and around its answer.
+/// Number of designs evaluated under other modelling choices, beyond those of the search and around its answer.
 [[nodiscard]] std::size_t evaluations_of_choices(const SizeReport& report);
 
 /// The limit or variable of a study that a result names; it must be there.
@@ -40,19 +40,20 @@ struct SizeReport {
 /// A binding limit as the search relaxed it.
 [[nodiscard]] sizing::Limit relaxed(const sizing::Limit& limit, const sizing::BindingConstraint& binding);
 
-/// A variable whose best value stands at an end of its range: it could not go further, whatever that would bring.
+/// A variable whose best value is an end of its range, so that the search could not go further.
 struct RangeEnd {
   std::size_t variable;  ///< index in the study
   std::string_view end;  ///< "lower" or "upper"
 };
 [[nodiscard]] std::vector<RangeEnd> range_ends(const SizeReport& report);
 
-/// result.json of `size`; its keys are in docs/formats.md.
+/// result.json of `size`; its keys are in docs/formats-results.md.
 [[nodiscard]] text::Json to_json(const SizeReport& report);
 
-/// What `yield --json` prints; its keys are in docs/formats-results.md.
+/// The output of `yield --json`; its keys are in docs/formats-results.md.
 [[nodiscard]] text::Json to_json(const sizing::Yield& yield);
-/// The same read back, but for its scatters, of which the `as_built` of a result has none. Throws text::InputError.
+/// Reads that output back without its scatters, which the `as_built` of a result does not have. Throws
+/// text::InputError.
 [[nodiscard]] sizing::Yield read_yield(const text::Node& node);
 
 }  // namespace coilwright::formats

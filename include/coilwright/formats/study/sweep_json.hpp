@@ -13,7 +13,7 @@
 
 namespace coilwright::formats {
 
-/// What `sweep` found, to be written. Everything referred to must outlive it.
+/// The results of `sweep` that are to be written. Everything referred to must outlive it.
 struct SweepReport {
   const sizing::Study& study;
   std::size_t designs{};    ///< in the grid, or that differ in the sample
@@ -26,8 +26,9 @@ struct SweepReport {
   std::span<const sizing::QuantityTotal> totals{};  ///< by quantity of the study; empty where all rows are kept
 };
 
-/// The counts, of each leader its configuration, variables, objectives and constraints, and what they break of their
-/// parts; where not all rows are kept also which are, and of each quantity what it is over all designs.
+/// The counts, and for each leader its configuration, variables, objectives, constraints and the limits of parts that
+/// it breaks. If not all rows are kept, also the kind of those kept, and the statistics of each quantity over all
+/// designs.
 [[nodiscard]] text::Json to_json(const SweepReport& report);
 
 }  // namespace coilwright::formats

@@ -16,17 +16,17 @@ namespace coilwright::formats {
 /// A driven motion, as `drive --motion-s --json` prints it under "motion".
 [[nodiscard]] text::Json to_json(const systems::MotionSummary& motion);
 
-/// The motion's samples as CSV, the keys' units at the ends of the columns: time, joint angles, bending angle and
-/// speed, the current of each coil, that of the driver and its mean since the row before, and where the energy has
-/// gone.
+/// Writes the motion's samples as CSV, with the units at the ends of the columns: time, joint angles, bending angle and
+/// speed, the current of each coil, that of the driver and its mean since the row before, and the energies.
 void write_motion(std::ostream& out, const std::vector<systems::MotionSample>& motion);
 
-/// How a driven actuator warms, as `drive --warm-up-s --json` prints it under "warm_up": its first and last sample, and
-/// the first part to pass its limit or null.
+/// The warming of a driven actuator, as `drive --warm-up-s --json` prints it under "warm_up": its first and last
+/// sample, and the first part to pass its limit or null.
 [[nodiscard]] text::Json to_json(const systems::WarmUp& warm_up);
 
-/// Its samples as CSV: time, the mean temperature of each coil, the hottest place of the coils, the warmest magnet, the
-/// resistance that the driver sees, currents of the coil that carries most, that of the supply, and the coils' heat.
+/// Writes the samples of the warming as CSV: time, the mean temperature of each coil, the hottest place of the coils,
+/// the warmest magnet, the resistance that the driver sees, currents of the coil that carries most, the current of the
+/// supply, and the coils' heat.
 void write_warm_up(std::ostream& out, const systems::WarmUp& warm_up);
 
 }  // namespace coilwright::formats

@@ -5,8 +5,8 @@
 
 namespace coilwright::formats {
 
-/// What becomes of an object between fingers, as `grip --json` prints it. Keys end in their unit; what was not asked
-/// for, or has no value for these magnets, is left out.
+/// The answer of `grip --json`. Keys end in their unit. Values that were not asked for, or that these magnets do not
+/// have, are left out.
 [[nodiscard]] text::Json to_json(const systems::gripper::GripAnswer& answer);
 
 }  // namespace coilwright::formats

@@ -7,8 +7,8 @@
 
 namespace coilwright::report {
 
-/// Where the time of a diagnosis went, for a person: seconds and simulated runs, a line a phase, and their total. No
-/// two runs give the same, so it belongs to the progress and into no file. Empty where there is no phase.
+/// The time of a diagnosis for a person: seconds and simulated runs, a line for each phase, and their total. Two runs
+/// differ in it, so it belongs to the progress and to no file. Empty without phases.
 [[nodiscard]] std::string to_text(std::span<const measurement::Phase> phases);
 
 }  // namespace coilwright::report

@@ -6,8 +6,8 @@
 
 namespace coilwright::report {
 
-/// What an experiment could show, for a person: the smallest strength of each effect, the effects that look alike, and
-/// the run that would help most.
+/// The answer of `plan` for a person: the smallest strength of each effect, the effects that look alike, and the run
+/// that would help most.
 [[nodiscard]] std::string to_text(const formats::PlanReport& report);
 
 }  // namespace coilwright::report

@@ -9,20 +9,20 @@
 
 namespace coilwright::report {
 
-/// A motion that was simulated, and what from.
+/// A simulated motion and its inputs.
 struct SimulatedMotion {
   const actuator::Model& model;
   const simulation::ModelInput& input;
   const simulation::RecordedMotion& motion;
   std::string table{};  ///< whose samples the motion is shown at, for people; empty: no table's
   std::string cure{};   ///< the option or argument that shows it between them
-  /// Current in every coil that the actuator's own supply drives at most, coils at 20 degC, A; nothing: not known.
+  /// The largest current in every coil that the actuator's own supply drives, with coils at 20 degC, A; absent if it is
+  /// not known.
   std::optional<double> supply_drives{};
 };
 
-/// What a reader must know of a motion and its table does not show, a sentence each: samples that are far apart, a
-/// current that the supply does not drive, faces that are pressed, a nameless correction used beyond where it was
-/// measured. Empty where there is nothing.
+/// Remarks on a motion that its table does not show, a sentence each: samples that are far apart, a current that the
+/// supply does not drive, faces that are pressed, a nameless correction used beyond its range. Empty if there are none.
 [[nodiscard]] std::vector<std::string> motion_remarks(const SimulatedMotion& motion);
 
 }  // namespace coilwright::report

@@ -6,8 +6,8 @@
 
 namespace coilwright::report {
 
-/// Where joints of a design are shut under its current, each change that opens all of them: what to write and where,
-/// and what becomes of rest angle and stroke. Empty where none is shut under current.
+/// For a design with joints that its current holds shut: each change that opens all of them, where to write it, and the
+/// rest angle and stroke that follow. Empty if no joint is shut under current.
 [[nodiscard]] std::string opening_text(const simulation::DesignView& design);
 
 }  // namespace coilwright::report

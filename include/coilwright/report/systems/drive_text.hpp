@@ -8,13 +8,13 @@
 
 namespace coilwright::report {
 
-/// How an actuator is driven, as tables, with a sentence for each warning.
+/// The answer of `drive` as tables, with a sentence for each warning.
 [[nodiscard]] std::string to_text(const systems::DrivenActuator& driven, const systems::DriveQuestion& question);
 
-/// A motion on that driver, as sentences.
+/// The motion of a driven actuator, as sentences.
 [[nodiscard]] std::string to_text(const systems::MotionSummary& motion);
 
-/// How it warms under that drive, as sentences.
+/// The warming of a driven actuator, as sentences.
 [[nodiscard]] std::string to_text(const systems::WarmUp& warm_up);
 
 }  // namespace coilwright::report

@@ -6,7 +6,8 @@
 
 namespace coilwright::report {
 
-/// What becomes of the object, where the fingers press, how far it may be off, and what that does to the fingers.
+/// The answer of `grip`: whether the object is held, where the fingers press, the tolerance of placement, and the heat
+/// of the fingers.
 [[nodiscard]] std::string to_text(const systems::gripper::GripAnswer& answer);
 
 }  // namespace coilwright::report

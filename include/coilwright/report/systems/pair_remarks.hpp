@@ -8,18 +8,18 @@
 
 namespace coilwright::report {
 
-/// What a reader must know of forces between bodies and the numbers do not show, gathered pose by pose: bodies in one
-/// place, edges on faces, a plate that is no mirror.
+/// Remarks on forces between bodies that the numbers do not show, gathered pose by pose: bodies in one place, edges on
+/// faces, a plate that is no mirror.
 class PairRemarks {
  public:
-  /// Of the poses of `file`, which it refers to.
+  /// Starts without remarks on the poses of `file`, to which it refers.
   explicit PairRemarks(const formats::PairFile& file) : file_(file) {}
 
-  /// The bodies in pose number `pose` of the last one, from 1.
+  /// Adds the bodies with the last one in its pose number `pose`, from 1.
   void add(const std::vector<magnetics::Body>& bodies, std::size_t pose);
-  /// The forces on them.
+  /// Adds the forces on them.
   void add(const magnetics::Forces& forces);
-  /// A sentence each; empty where there is nothing to know.
+  /// The remarks, a sentence each; empty if there are none.
   [[nodiscard]] std::vector<std::string> sentences() const;
 
  private:

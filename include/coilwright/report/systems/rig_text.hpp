@@ -10,7 +10,7 @@
 
 namespace coilwright::report {
 
-/// A rig's readings by both fidelities as a table, and what a person must know to compare them with measured ones.
+/// A rig's readings by both fidelities as a table, with remarks for a comparison with measured ones.
 [[nodiscard]] std::string to_text(const std::vector<systems::rig::TorqueBenchPoint>& points,
                                   const systems::rig::TorqueBench& bench);
 [[nodiscard]] std::string to_text(const systems::rig::StiffnessReadings& readings);

@@ -12,7 +12,7 @@
 
 namespace coilwright::results {
 
-/// A data set and what it declares, read and checked before the work.
+/// A data set and its declarations, read and checked before the work.
 struct AskedDiagnosis {
   formats::DatasetFile set;
   std::filesystem::path declared_file;
@@ -21,13 +21,13 @@ struct AskedDiagnosis {
   actuator::EffectCatalogue effects;  ///< that the model may lack or has
 };
 
-/// Reads a data set and the actuator that it names, or the file `actuator` in its place. Throws text::InputError.
+/// Reads a data set and the actuator that it names, or the file `actuator` instead. Throws text::InputError.
 [[nodiscard]] AskedDiagnosis read_asked(const std::filesystem::path& dataset,
                                         const std::optional<std::filesystem::path>& actuator, std::uint64_t seed,
                                         const actuator::EffectCatalogue& effects = actuator::standard_effects());
 
-/// measurement::diagnose() of it, with its effects and beliefs. A set that does not fit its model, or a model that
-/// cannot be simulated, is bad data and no failure of the program: throws text::InputError of the file at fault.
+/// Diagnoses it with its effects and beliefs. A set that does not fit its model, or a model that cannot be simulated,
+/// counts as bad data: throws text::InputError of the file at fault.
 [[nodiscard]] measurement::Diagnosis diagnose(const AskedDiagnosis& asked, measurement::DiagnosisOptions how);
 
 }  // namespace coilwright::results

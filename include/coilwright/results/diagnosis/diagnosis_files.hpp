@@ -24,11 +24,11 @@ struct DiagnosisAnswer {
   std::string next_experiment{};     ///< an experiment/1; empty where none is proposed
 };
 
-/// What a diagnosis, or what is known of one that was interrupted, says. The actuators are read back first.
+/// The texts of a diagnosis, or of the results so far of one that was interrupted. The actuators are read back first.
 [[nodiscard]] DiagnosisAnswer answer_of(const measurement::Diagnosis& diagnosis, const AskedDiagnosis& asked);
 
-/// Writes it into a folder and commits it, all files or none. Files of an earlier diagnosis that this one has none of
-/// are removed. Throws text::OutputError.
+/// Writes these texts into a folder and commits it, all files or none. Files of an earlier diagnosis that this one
+/// lacks are removed. Throws text::OutputError.
 void write_diagnosis(const measurement::Diagnosis& diagnosis, const AskedDiagnosis& asked,
                      const DiagnosisAnswer& answer, text::OutputFolder& folder);
 

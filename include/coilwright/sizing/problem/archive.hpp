@@ -17,18 +17,19 @@ struct Record {
   std::vector<double> point;  ///< variables, in the problem's order
   Evaluation evaluation;      ///< what came out
   std::size_t number = 0;     ///< place in the order of evaluation, from 1; 0 without one (see Archive::number)
-  /// What proposed it, as docs/formats-results.md lists them: "end", "gap", ...; empty for what no search asked for.
+  /// The proposer of the design, as docs/formats-results.md lists them: "end", "gap", ...; empty for a design that no
+  /// search asked for.
   std::string_view proposed_by{};
 
   friend bool operator==(const Record&, const Record&) = default;
 };
 
-/// Every design that a search evaluated, each once, including failed ones. Safe to use from several threads; what it
-/// returns does not depend on the order of evaluation.
+/// Every design that a search evaluated, each once, including failed ones. Safe to use from several threads; its
+/// results do not depend on the order of evaluation.
 ///
-/// The bits of a point are those of its nearest legal one (`nearest_legal`): a variable with a grid takes grid values,
-/// and a continuous one its bounds and decimals with twelve digits after the first digit of its range (a millionth of a
-/// millionth of it, or less). So two points that differ by rounding are one design.
+/// A point has the bits of its nearest legal one (`nearest_legal`): a variable with a grid takes grid values; a
+/// continuous one takes its bounds, and decimals with twelve digits after the first digit of its range. So two points
+/// that differ by rounding are one design.
 class Archive {
  public:
   /// Keeps a copy of `problem`. Throws as `validate_problem`.
@@ -37,31 +38,31 @@ class Archive {
   Archive& operator=(Archive&&) noexcept;
   ~Archive();
 
-  /// The problem whose designs these are.
+  /// The problem of these designs.
   [[nodiscard]] const Problem& problem() const noexcept;
 
   /// The evaluation at `point`, made now if the point is new. Two threads that ask for the same new point make one
-  /// evaluation. Throws what the problem throws, and then records nothing; throws std::invalid_argument if the point
-  /// has another number of values, lies outside the bounds or off the grid.
+  /// evaluation. An exception of the problem passes through, and then nothing is recorded. Throws std::invalid_argument
+  /// if the point has another number of values, lies outside the bounds or off the grid.
   Evaluation evaluate(std::span<const double> point);
 
   /// Evaluates those of `points` that are new in one call of the problem's `evaluate_together`, which it must have.
   /// Throws as evaluate().
   void evaluate_together(std::span<const std::vector<double>> points);
 
-  /// Gives the design at an evaluated point the next number in the order of evaluation, unless it has one. Designs are
-  /// evaluated at the same time, so that only the caller knows an order that is the same on any number of threads.
-  /// `proposed_by`, a string that outlives the archive, says what proposed it.
+  /// Gives the design at an evaluated point the next number in the order of evaluation, unless it has one. Only the
+  /// caller knows an order that is the same on any number of threads, because designs are evaluated at the same time.
+  /// `proposed_by` names the proposer and must outlive the archive.
   void number(std::span<const double> point, std::string_view proposed_by = {});
 
-  /// The evaluation at `point`, if it was made.
+  /// The evaluation at `point`; absent if there is none.
   [[nodiscard]] std::optional<Evaluation> find(std::span<const double> point) const;
 
   /// Whether the problem excludes the design at a point before it is evaluated. Throws as evaluate() for the point, and
-  /// what the problem throws.
+  /// passes on exceptions of the problem.
   [[nodiscard]] bool excludes(std::span<const double> point) const;
 
-  /// Number of designs of which excludes() was true.
+  /// Number of designs for which excludes() was true.
   [[nodiscard]] std::size_t excluded() const;
 
   /// Number of designs evaluated.
@@ -85,10 +86,10 @@ class Archive {
   std::unique_ptr<Storage> storage_;
 };
 
-/// Objectives of `evaluation` with the maximised ones negated: what `front.hpp` takes.
+/// Objectives of `evaluation` with the maximised ones negated, as the functions of `front.hpp` take them.
 [[nodiscard]] Objectives minimised(const Problem& problem, const Evaluation& evaluation);
 
-/// The same for each record.
+/// The negated objectives of each record.
 [[nodiscard]] std::vector<Objectives> minimised(const Problem& problem, const std::vector<Record>& records);
 
 }  // namespace coilwright::sizing

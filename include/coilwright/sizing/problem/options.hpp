@@ -10,8 +10,8 @@
 
 namespace coilwright::sizing {
 
-/// How the space is searched. `automatic` fits local models to the archive and lets NLopt optimise those. Every other
-/// one is an NLopt algorithm that runs on the problem itself (in `pareto`, on scalarised problems).
+/// The method of a search. `automatic` fits local models to the archive and lets NLopt optimise those. Every other one
+/// is an NLopt algorithm that runs on the problem itself (in `pareto`, on scalarised problems).
 /// docs/decisions/0006-search-strategy.md compares them.
 enum class Algorithm {
   automatic,   ///< models of the archive, optimised by NLopt's SLSQP
@@ -30,7 +30,7 @@ enum class Algorithm {
 /// The name a study uses: "automatic", "cobyla", ...
 [[nodiscard]] std::string_view name_of(Algorithm algorithm);
 
-/// The algorithm of that name. Throws std::invalid_argument listing the names there are.
+/// The algorithm of that name. Throws std::invalid_argument listing the names.
 [[nodiscard]] Algorithm algorithm_named(std::string_view name);
 
 /// All algorithms, in the order of the enumeration.
@@ -44,13 +44,13 @@ struct Progress {
   std::size_t front_size{};       ///< number of designs on the front (1 or 0 for one objective)
 };
 
-/// What `search` does once it has an answer.
+/// The steps of `search` after it has an answer.
 enum class Afterwards {
   sensitivity,  ///< evaluates the surroundings of the answer, see sensitivity.hpp
   nothing       ///< returns at once
 };
 
-/// How a search runs. The answer depends on `algorithm`, `max_evaluations` and `seed`, but not on `threads`.
+/// Settings of a search. The answer depends on `algorithm`, `max_evaluations` and `seed`, but not on `threads`.
 struct SearchOptions {
   Algorithm algorithm = Algorithm::automatic;  ///< how to search
   std::size_t max_evaluations = 2000;          ///< largest number of designs evaluated, including failed ones; >= 1
@@ -72,7 +72,7 @@ enum class StopReason {
   interrupted        ///< `stop` asked for an end
 };
 
-/// "evaluation_limit", "space_exhausted", "converged", "interrupted".
+/// The word in results: "evaluation_limit", "space_exhausted", "converged", "interrupted".
 [[nodiscard]] std::string_view name_of(StopReason reason);
 
 }  // namespace coilwright::sizing

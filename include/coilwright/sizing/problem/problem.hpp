@@ -8,7 +8,7 @@
 
 namespace coilwright::sizing {
 
-/// What values a variable may take.
+/// The kind of values that a variable may take.
 enum class VariableKind {
   continuous,  ///< any value between the bounds, or every `step` of them
   integer,     ///< whole numbers, both bounds included
@@ -26,7 +26,7 @@ struct Variable {
   double step{};
 };
 
-/// Which way an objective improves.
+/// Direction in which an objective improves.
 enum class Sense { minimise, maximise };
 
 /// A quantity to make small or large. Its unit is the problem's own.
@@ -42,14 +42,14 @@ struct Evaluation {
   std::string failure{};              ///< why the design could not be evaluated; empty if it was
   /// For a failed design its distance from one that can be evaluated, in any measure of order 1; finite, >= 0.
   double infeasibility{};
-  /// Further numbers that the problem wants in its tables, empty where one does not exist; for a design of a study all
-  /// quantities of its table, and none if it has no performance. The search keeps them and does not look at them.
+  /// Further numbers for the tables of the problem; absent where one does not exist. For a design of a study they are
+  /// all quantities of its table; empty if it has no performance. The search keeps them and does not use them.
   std::vector<std::optional<double>> quantities{};
 
   friend bool operator==(const Evaluation&, const Evaluation&) = default;
 };
 
-/// An optimisation problem: variables in, objectives and constraints out, and nothing of physics.
+/// An optimisation problem, free of physics: variables as input, objectives and constraints as output.
 struct Problem {
   std::vector<Variable> variables;       ///< at least one
   std::vector<Objective> objectives;     ///< one for `search`, two or three for `pareto`
@@ -57,16 +57,17 @@ struct Problem {
   /// Evaluates one design. Called from several threads at once; must be pure (same point, same bits). An exception
   /// reaches the caller of `search` or `pareto` after every running evaluation has ended.
   std::function<Evaluation(std::span<const double>)> evaluate;
-  /// Evaluates several designs in one call, one after the other, with the bits of `evaluate`: for what is dear to call
-  /// and cheap to do once more, as an interpreter. Called on one thread, with the designs that a search evaluates next;
-  /// those of an NLopt algorithm come one by one through `evaluate`. Empty: `evaluate` does all.
+  /// Evaluates several designs in one call, one after the other, with the bits of `evaluate`: for functions that are
+  /// expensive to call and cheap to repeat, such as those of an interpreter. Called on one thread, with the designs
+  /// that a search evaluates next; those of an NLopt algorithm come one by one through `evaluate`. Empty: `evaluate`
+  /// does all.
   std::function<std::vector<Evaluation>(std::span<const std::vector<double>>)> evaluate_together{};
-  /// Designs that a search evaluates first, in this order, a value for each variable: of each its nearest legal point,
-  /// clamped to the bounds and on the grid. Of more than the budget it takes the first. Empty: none.
+  /// Designs that a search evaluates first, in this order, a value for each variable. Each becomes its nearest legal
+  /// point, within the bounds and on the grid. Those beyond the budget are not evaluated. Empty: none.
   std::vector<std::vector<double>> starts{};
-  /// Whether a design breaks a constraint by what is known of it before it is evaluated. Pure, much cheaper than
-  /// `evaluate`, called from several threads at once; never true of a design that `evaluate` finds feasible. A search
-  /// then leaves the design out. Empty: nothing is known.
+  /// Whether a design breaks a constraint by what is known before it is evaluated; a search then leaves it out. Pure,
+  /// much cheaper than `evaluate`, called from several threads at once; never true for a design that `evaluate` finds
+  /// feasible. Empty: nothing is known.
   std::function<bool(std::span<const double>)> excluded{};
 };
 
@@ -74,17 +75,17 @@ struct Problem {
 void validate_problem(const Problem& problem);
 
 /// Calls `problem.evaluate` and makes the result safe to search on: a number that is not finite becomes a failure with
-/// the name of the quantity; a failed design has no numbers but a finite `infeasibility`.
-/// Throws std::logic_error if the problem returns another number of objectives or constraints than it declares.
+/// the name of the quantity; a failed design has a finite `infeasibility` and no numbers. Throws std::logic_error if
+/// the problem returns another number of objectives or constraints than it declares.
 [[nodiscard]] Evaluation evaluate_checked(const Problem& problem, std::span<const double> point);
 
-/// The same of an evaluation that was made already.
+/// Applies the same checks to an existing evaluation.
 [[nodiscard]] Evaluation checked(const Problem& problem, Evaluation evaluation);
 
 /// Sum of the positive constraints (dimensionless, >= 0); for a failed design its `infeasibility`.
 [[nodiscard]] double violation(const Evaluation& evaluation);
 
-/// True if the design was evaluated and no constraint is above 0.
+/// Whether the design was evaluated and no constraint is above 0.
 [[nodiscard]] bool is_feasible(const Evaluation& evaluation);
 
 /// Names of the constraints above 0, worst first; for a failed design the reason of its failure.

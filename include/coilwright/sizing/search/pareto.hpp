@@ -21,7 +21,7 @@ struct ParetoResult {
 };
 
 /// Finds designs that trade two or three objectives against each other, spread so that their hypervolume is large.
-/// Deterministic and recorded as in `search`. Throws as `search`, but for a problem without two or three objectives.
+/// Deterministic and recorded as in `search`. Throws as `search`, and for a problem without two or three objectives.
 [[nodiscard]] ParetoResult pareto(const Problem& problem, const ParetoOptions& options);
 
 }  // namespace coilwright::sizing

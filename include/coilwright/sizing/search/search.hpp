@@ -29,8 +29,8 @@ struct SearchResult {
 
 /// Finds the best feasible design of a problem with one objective. Deterministic: the same problem and options give the
 /// same archive on any number of threads. Integer variables and grids are evaluated at their own values only. The
-/// answer is taken from the archive, whatever NLopt returned. Throws std::invalid_argument as `validate_problem`, or if
-/// the problem has not exactly one objective or max_evaluations is 0; and whatever `problem.evaluate` throws.
+/// answer is taken from the archive, not from NLopt. Throws std::invalid_argument as `validate_problem`, or if the
+/// problem has not exactly one objective or max_evaluations is 0; passes on exceptions of `problem.evaluate`.
 [[nodiscard]] SearchResult search(const Problem& problem, const SearchOptions& options);
 
 }  // namespace coilwright::sizing

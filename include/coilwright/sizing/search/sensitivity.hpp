@@ -10,7 +10,7 @@
 
 namespace coilwright::sizing {
 
-/// What one step of one variable away from the best design does.
+/// The effect of one step of one variable away from the best design.
 struct VariableStep {
   std::string variable;                    ///< name of the variable
   double from{};                           ///< value at the best design
@@ -20,7 +20,7 @@ struct VariableStep {
   std::vector<std::string> violates;       ///< constraints above 0 after the step, or the reason of the failure
 };
 
-/// A constraint that keeps the best design from improving, and what it costs.
+/// A constraint that keeps the best design from improving, and its cost.
 struct BindingConstraint {
   std::string name;                        ///< name of the constraint
   double margin{};                         ///< -value at the best design, >= 0
@@ -31,13 +31,13 @@ struct BindingConstraint {
   std::optional<Record> relaxed_best;      ///< the design of that search; none if it found nothing better
 };
 
-/// What the surroundings of the best design are like.
+/// The steps and the binding constraints around the best design.
 struct Sensitivity {
   std::vector<VariableStep> steps{};  ///< one step down and one up of each variable, if its bounds allow; all levels
   std::vector<BindingConstraint> binding{};  ///< constraints at their limit, or that an improving step violates
 };
 
-/// A constraint with a smaller margin than this, relative to its scale, is at its limit.
+/// Margin, relative to its scale, below which a constraint is at its limit.
 inline constexpr double binding_margin = 1e-3;
 
 /// Options of `analyse_sensitivity`.
@@ -49,10 +49,10 @@ struct SensitivityOptions {
 };
 
 /// Evaluates one step down and one up of each variable from `best` (every other level of a categorical variable), then
-/// searches on with each binding constraint relaxed in turn, with the models of `Algorithm::automatic` and from all
-/// designs in `archive`. The gains found are lower bounds, because a search may miss a better design. Every design that
-/// it evaluates is recorded in `archive`, which a later search can build on.
-/// Throws std::invalid_argument for an option out of range or a `best` that is not in the archive or not feasible.
+/// continues the search with each binding constraint relaxed in turn, with the models of `Algorithm::automatic` and
+/// from all designs in `archive`. The gains are lower bounds, because a search may miss a better design. Every design
+/// is recorded in `archive`, on which a later search can build. Throws std::invalid_argument for an option out of range
+/// or a `best` that is not in the archive or not feasible.
 [[nodiscard]] Sensitivity analyse_sensitivity(Archive& archive, const Record& best, const SensitivityOptions& options);
 
 }  // namespace coilwright::sizing

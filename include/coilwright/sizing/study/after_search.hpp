@@ -16,19 +16,18 @@
 
 namespace coilwright::sizing {
 
-/// The design at a point that an answer recommends, evaluated anew whatever the search says of it. Throws
-/// std::logic_error where it comes out other than `found`.
+/// Evaluates anew the design at a point that an answer recommends. Throws std::logic_error if the result differs from
+/// `found`.
 [[nodiscard]] DesignResult evaluated_again(const DesignProblem& problem, std::span<const double> point,
                                            const Evaluation& found);
 
-/// The same of every design of a front or of a sweep's leaders, each of which must break no limit.
-///@{
+/// Evaluates anew every design of a front or of a sweep's leaders, each of which must break no limit. @{
 [[nodiscard]] std::vector<DesignResult> evaluated_again(const DesignProblem& problem, std::span<const Record> designs);
 [[nodiscard]] std::vector<DesignResult> evaluated_again(const DesignProblem& problem,
                                                         std::span<const SweptDesign> designs);
 ///@}
 
-/// What is worked out of the answer of a search for one objective, beside its surroundings.
+/// Results that are computed after the search for one objective, beside the surroundings of its answer.
 struct AfterSearch {
   std::optional<DesignResult> best{};           ///< the design found, evaluated again; nothing if nothing was evaluated
   DesignResult base;                            ///< the actuator that the study starts from
@@ -38,11 +37,11 @@ struct AfterSearch {
   std::size_t assumptions_left{};               ///< how many of those were not looked at
 };
 
-/// How that is worked out. A study whose search has `Afterwards::nothing` has neither builds nor choices.
+/// Options of after_search(). A study whose search has `Afterwards::nothing` has neither builds nor choices.
 struct AfterSearchOptions {
   std::size_t builds = 2000;  ///< by fresh dice
   std::stop_token stop{};     ///< ends it early; what is missing then is left out
-  /// How a point is evaluated under another modelling choice, as in AssumptionOptions. May be empty.
+  /// Evaluates a point under another modelling choice, as in AssumptionOptions. May be empty.
   decltype(AssumptionOptions::evaluate) evaluate{};
   ///@{
   /// Told how many builds and modelling choices were looked at, of how many. May be empty.
@@ -54,7 +53,7 @@ struct AfterSearchOptions {
   std::function<void(const std::string& choice, std::span<const double> point)> stated{};
 };
 
-/// All of it. Pure but for the clock of a stop. Throws as evaluated_again().
+/// Computes all of AfterSearch. Pure except for the clock of a stop. Throws as evaluated_again().
 [[nodiscard]] AfterSearch after_search(const DesignProblem& problem, const SearchResult& result,
                                        const AfterSearchOptions& options);
 

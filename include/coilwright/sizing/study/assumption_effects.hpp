@@ -21,10 +21,10 @@ struct WorstMargin {
   double margin{};    ///< distance from the limit over scale_of(limit); negative where it is broken
 };
 
-/// The worst limit of an evaluation of `study`; nothing without limits or for a design that was not evaluated.
+/// The worst limit of an evaluation of `study`; absent without limits or for a design that was not evaluated.
 [[nodiscard]] std::optional<WorstMargin> worst_margin(const Study& study, const Evaluation& evaluation);
 
-/// What becomes of the answer of a study if something that is not settled is otherwise.
+/// The answer of a study if one assumption is otherwise.
 struct AssumptionEffect {
   actuator::OtherChoice choice;      ///< its design is the answer's own
   Evaluation evaluation;             ///< of the answer under the other choice
@@ -35,49 +35,49 @@ struct AssumptionEffect {
   std::size_t evaluations{};         ///< of designs, for all this
   double gain{};                     ///< of the objective, over its value in the answer; negative where it is worse
 
-  /// Whether the answer rests on it: it breaks a limit or has no figures, leads to another design, or changes the
-  /// objective by simulation::change_that_matters.
+  /// Whether the answer depends on the assumption: it breaks a limit or has no figures, leads to another design, or
+  /// changes the objective by simulation::change_that_matters.
   [[nodiscard]] bool matters() const;
 };
 
-/// How much a search under another choice must gain before it counts as another answer, relative to the objective.
+/// Gain of a search under another choice from which on its design counts as another answer, relative to the objective.
 inline constexpr double gain_of_another_design = 0.01;
 
-/// "hinge: beam", by which a choice is known among the others of its study.
+/// The name of a choice among the others of its study: "hinge: beam".
 [[nodiscard]] std::string name_of(const actuator::OtherChoice& choice);
 
-/// The problem of a study whose own actuator is made under another choice.
+/// The problem of a study whose own actuator is taken under another choice.
 [[nodiscard]] DesignProblem under(const DesignProblem& problem, const actuator::OtherChoice& choice);
 
-/// How the other choices are searched.
+/// Settings of the searches under other choices.
 struct AssumptionOptions {
   std::size_t evaluations = 300;  ///< of the search under each other choice; 0 for none
   SearchOptions search{};         ///< its seed, threads and stop token are used
-  /// Evaluates a point of `other`, which is the problem under `choice`, from any thread, say from what is recorded.
-  /// Empty: other.problem().evaluate.
+  /// Evaluates a point of `other`, which is the problem under `choice`; called from any thread. It may answer from a
+  /// record. Empty: other.problem().evaluate.
   std::function<Evaluation(const DesignProblem& other, const actuator::OtherChoice& choice,
                            std::span<const double> point)>
       evaluate{};
-  /// Called before each choice, on the caller's thread: how many were looked at, of how many. May be empty.
+  /// Called before each choice, on the caller's thread, with the number of choices done and the number of all. May be
+  /// empty.
   std::function<void(std::size_t looked_at, std::size_t of)> progress{};
 };
 
-/// How many entries assumption_effects() has of the answer `best` where nothing stops it.
+/// Number of entries that assumption_effects() has for the answer `best` if nothing stops it.
 [[nodiscard]] std::size_t assumption_count(const DesignProblem& problem, const Record& best);
 
-/// The answer `best` of a study with one objective under every other modelling choice, and whether another design would
-/// then be better: where the answer breaks a limit, or a search that starts from it gains more than
-/// `gain_of_another_design`. Then with each number of the answer that is neither measured nor stated at its other
-/// values, evaluated once each, but for those that scatter in the study's spread. The subject
-/// that takes the answer farthest, of its value or of a limit that it breaks, stands first, each with its entries
-/// together. Choices that a stop left without a whole search
-/// are left out. Pure but for the clock of a stop.
+/// Evaluates the answer `best` of a study with one objective under every other modelling choice. Another design is
+/// better there if the answer breaks a limit, or if a search that starts from the answer gains more than
+/// `gain_of_another_design`. Then evaluates the answer with each number that is neither measured nor stated at its
+/// other values, except those that scatter in the study's spread. The subject with the largest change or broken limit
+/// comes first, each with its entries together. Choices whose search was stopped are left out. Pure except for the
+/// clock of a stop.
 [[nodiscard]] std::vector<AssumptionEffect> assumption_effects(const DesignProblem& problem, const Record& best,
                                                                const AssumptionOptions& options);
 
-/// The effect that changes the answer most among those that a measurement settles: one that breaks a limit before one
-/// that changes the objective, then by how far the best design under it is from what the answer promises, or how far
-/// the worst limit is broken where no other design was looked for; nullptr where none changes it by more than
+/// The effect that changes the answer most among those that a measurement settles: one that breaks a limit comes before
+/// one that changes the objective; then the distance of the best design under it from the answer's promise decides, or
+/// the excess over the worst limit if no other design was sought. nullptr if none changes it by more than
 /// gain_of_another_design.
 [[nodiscard]] const AssumptionEffect* decisive(const Study& study, const Record& best,
                                                const std::vector<AssumptionEffect>& effects);

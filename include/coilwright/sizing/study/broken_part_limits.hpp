@@ -11,14 +11,14 @@
 
 namespace coilwright::sizing {
 
-/// The load of coils and magnets with the ripple of the study's driver, and its peaks over what it bears: no other
-/// limit of a part knows of them. Empty without a driver.
+/// The limits that pulses set: the load of coils and magnets with the ripple of the study's driver, and the driver's
+/// peaks. No other limit of a part includes them. Empty without a driver.
 [[nodiscard]] std::vector<simulation::PartLimit> limits_of_pulses(const Study& study, const EvaluatedDesign& design);
 
-/// Those limits of parts and pulses that the design breaks, as simulation::broken_part_limits().
+/// The limits of parts and pulses that the design breaks, as simulation::broken_part_limits() selects them.
 [[nodiscard]] std::vector<simulation::PartLimit> broken_limits(const Study& study, const EvaluatedDesign& design);
 
-/// A limit of coils, magnets or wire that designs break, as no limit of their study forbids it.
+/// A limit of coils, magnets or wire that designs break because no limit of their study forbids it.
 struct BrokenPartLimit {
   std::string_view quantity{};  ///< "magnet_temperature_degC"
   std::string consequence{};    ///< what happens beyond it, as the end of a sentence
@@ -26,7 +26,8 @@ struct BrokenPartLimit {
   std::size_t designs{};        ///< how many break it; > 0
 };
 
-/// Of the designs that an answer to `study` recommends, unconditional ones first; empty where all keep all.
+/// The broken limits of the designs that an answer to `study` recommends, unconditional ones first; empty if all keep
+/// all.
 [[nodiscard]] std::vector<BrokenPartLimit> broken_part_limits(const Study& study,
                                                               std::span<const DesignResult> designs);
 

@@ -28,8 +28,8 @@ using DesignResult = std::variant<EvaluatedDesign, NotEvaluated>;
 /// value.
 class DesignProblem {
  public:
-  /// Throws std::invalid_argument unless either a variable or `study.current` sets the current, and for an objective or
-  /// a limit whose quantity `simulation::validate_quantity` refuses.
+  /// Makes the problem. Throws std::invalid_argument unless either a variable or `study.current` sets the current, and
+  /// for an objective or a limit whose quantity `simulation::validate_quantity` refuses.
   explicit DesignProblem(Study study);
   // Copies only: a moved-from object would be empty.
   DesignProblem(const DesignProblem&) = default;
@@ -38,38 +38,37 @@ class DesignProblem {
 
   [[nodiscard]] const Study& study() const noexcept { return state_->study; }
 
-  /// The problem to pass to search() or pareto(). It holds a copy of this object and so all that it needs. It starts
-  /// from the study's own actuator; where the current varies, with the chassis ampacity of the actuator's own wire;
-  /// then from the study's starts.
+  /// The problem for search() or pareto(), which holds a copy of this object. It starts from the study's own actuator
+  /// (if the current varies, with the chassis ampacity of its wire), then from the study's starts.
   [[nodiscard]] Problem problem() const;
 
   /// The design at a point: the study's base with the variables set to it.
   [[nodiscard]] actuator::Design design_at(std::span<const double> point) const;
 
-  /// The numbers beside the design that the study varies, at a point, in SI.
+  /// The values of the study's variables outside the design at a point, in SI.
   [[nodiscard]] simulation::Settings settings_at(std::span<const double> point) const;
 
   /// The design at a point and its performance. Pure.
   [[nodiscard]] DesignResult evaluate(std::span<const double> point) const;
 
-  /// The actuator that the study starts from, at the study's operating point. Where a variable sets the current, it is
-  /// driven as well as that variable's range and the study's limits let it: with the current of the best first
-  /// objective that keeps all limits or, where none does, the one that is nearest to keeping them.
+  /// The actuator from which the study starts, at the study's operating point. If a variable sets the current, it is
+  /// driven as well as that variable's range and the study's limits allow: with the current of the best first objective
+  /// that keeps all limits, or else the current that is nearest to keeping them.
   [[nodiscard]] DesignResult evaluate_base() const;
 
   /// All quantities of the study's table, the objectives of a design and its constraints, each -margin /
-  /// scale_of(limit), so that <= 0 keeps the limit; or why there are none, also where a quantity that the study asks
-  /// for has no value.
+  /// scale_of(limit), so that <= 0 keeps the limit; or the reason why there are none, such as a requested quantity
+  /// without a value.
   [[nodiscard]] Evaluation assess(const DesignResult& result) const;
 
-  /// The same from the quantities alone, in the order of the study's table; nothing where one that the study asks for
-  /// has no value or is not in the table: then only the design can say why, or what it is.
+  /// The same from the quantities alone, in the order of the study's table. Absent if a requested quantity has no value
+  /// or is not in the table, because only the design can then give it or the reason.
   [[nodiscard]] std::optional<Evaluation> assess(std::vector<std::optional<double>> quantities) const;
 
   /// Number of points of a study whose variables are all lists, grids or whole numbers. Throws std::invalid_argument
   /// naming a variable that is continuous, or if there are more than max_grid_points.
   [[nodiscard]] std::size_t point_count() const;
-  /// Point `index` < point_count() of these, where the last variable changes fastest.
+  /// Point `index` < point_count() of these; the last variable changes fastest.
   [[nodiscard]] std::vector<double> point(std::size_t index) const;
 
   /// The largest grid that point_count() accepts.

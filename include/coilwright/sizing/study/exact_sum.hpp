@@ -6,12 +6,12 @@
 
 namespace coilwright::sizing {
 
-/// A sum of doubles without any rounding, and so the same in whatever order and in whatever parts it is made. Immutable
+/// A sum of doubles without rounding, which is therefore the same in any order and any division into parts. Immutable
 /// inside; copies are cheap.
 class ExactSum {
  public:
   ExactSum();  ///< 0
-  /// The sum that text() gave. Throws std::invalid_argument for another text.
+  /// Reads the sum from the output of text(). Throws std::invalid_argument for another text.
   explicit ExactSum(const std::string& text);
 
   void add(double value);           ///< finite

@@ -18,7 +18,7 @@ struct Expression {
 /// An expression names something that is no quantity.
 class UnknownSymbol : public std::invalid_argument {
  public:
-  /// Of that symbol; what() names it.
+  /// The error for that symbol; what() names it.
   explicit UnknownSymbol(std::string symbol);
   [[nodiscard]] const std::string& symbol() const noexcept { return symbol_; }
 
@@ -26,17 +26,17 @@ class UnknownSymbol : public std::invalid_argument {
   std::string symbol_;
 };
 
-/// Whether a text can only be a name: a letter, then letters, digits and "_".
+/// Whether a text has the form of a name: a letter, then letters, digits and "_".
 [[nodiscard]] bool is_name(const std::string& text);
 
-/// The quantity that an expression of `quantities` gives, under its name with its unit at the end: "grip_per_mass_N_g".
+/// The quantity of an expression over `quantities`, under its name with its unit at the end: "grip_per_mass_N_g".
 ///
 /// The language is muParser's: + - * / ^, brackets, comparisons, && and ||, `condition ? a : b`, and functions such as
 /// sqrt, abs, min, max, exp, ln, log10, sin, cos, atan2 (radians). The decimal point is ".", whatever the locale. The
-/// result has no value where a quantity in it has none, and where it is not finite (a division by zero).
+/// result has no value if a quantity in it has none, or if it is not finite (a division by zero).
 ///
 /// Throws UnknownSymbol, and std::invalid_argument naming the rule: for bad syntax, an expression without a quantity,
-/// an assignment, more than one result, a name or a unit that is none, a scale that is not finite and >= 0.
+/// an assignment, more than one result, an invalid name or unit, a scale that is not finite and >= 0.
 [[nodiscard]] simulation::ResultQuantity expression_quantity(const Expression& expression,
                                                              const simulation::QuantityTable& quantities);
 

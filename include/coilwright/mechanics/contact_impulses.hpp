@@ -45,9 +45,10 @@ struct ContactStep {
   std::vector<ContactImpulse> impulses;  ///< one per contact, in their order
 };
 
-/// Velocities v and impulses p of one step with unilateral contacts and dry friction, without restitution: mass (v -
-/// free_velocity) = sum of normal_i n_i + tangent_i t_i, 0 <= n_i, 0 <= normal speed, one of them zero, -along n_i <=
-/// t_i <= against n_i, and a contact that slides is resisted by all that the friction gives.
+/// Velocities v and impulses p of one step with unilateral contacts and dry friction, without restitution:
+///
+///   mass (v - free_velocity) = sum of normal_i n_i + tangent_i t_i,   0 <= n_i, 0 <= normal speed, one of them zero,
+///   -along n_i <= t_i <= against n_i, and a contact that slides is resisted by all that the friction gives.
 ///
 /// `mass` is (n, n), symmetric and positive definite; `free_velocity` is the velocity at the end of the step without
 /// contacts. Moreau, Numerical aspects of the sweeping process, Comput. Methods Appl. Mech. Eng. 177 (1999) 329. In the

@@ -6,14 +6,14 @@
 
 namespace coilwright::systems {
 
-/// How long and how finely a robot is followed.
+/// Duration and time step of a robot's motion.
 struct CrawlTiming {
   int settling_periods = 10;  ///< from lying still, not counted; >= 0
   int periods = 20;           ///< counted; >= 1
   double step = 5e-5;         ///< longest time step, s; finite, > 0, at most 1 ms: each switching falls on one
 };
 
-/// Mean powers over the counted periods, W. What is put in is what is taken out, but for `unbalanced`.
+/// Mean powers over the counted periods, W. Input equals output except for `unbalanced`.
 struct CrawlPowers {
   double electrical{};  ///< out of the cell
   double copper{};      ///< heat of the coils
@@ -26,7 +26,7 @@ struct CrawlPowers {
   double unbalanced{};  ///< mechanical less the four before: what the time steps make or lose
 };
 
-/// How a robot crawls once it has settled.
+/// The motion of a robot that has settled.
 struct Crawl {
   double speed{};                ///< mean, m/s, positive towards the fingertip
   double speed_scatter{};        ///< standard deviation of the speeds of single periods, m/s
@@ -40,10 +40,10 @@ struct Crawl {
   CrawlPowers powers{};
 };
 
-/// Follows the robot from lying straight and still: Moreau's midpoint rule with springs, dampers and what motion
-/// induces in the coils taken implicitly. Currents follow voltage and motion at once (L / R is 0.3 ms in the prototype,
-/// beside pulses of 50 ms); coils at 20 degC; the cell keeps its voltage. Pure. Throws std::invalid_argument naming
-/// field, rule and value.
+/// Follows the robot from lying straight and still: Moreau's midpoint rule with springs, dampers and induced voltages
+/// taken implicitly. Currents follow voltage and motion at once (L / R is 0.3 ms in the prototype, beside pulses of 50
+/// ms); coils are at 20 degC; the cell keeps its voltage. Pure. Throws std::invalid_argument naming field, rule and
+/// value.
 [[nodiscard]] Crawl crawl(const Crawler& crawler, const CrawlTiming& timing = {});
 
 }  // namespace coilwright::systems

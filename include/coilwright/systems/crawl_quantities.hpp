@@ -8,17 +8,17 @@
 
 namespace coilwright::systems {
 
-/// What a crawling robot has beside its actuator, and how it is followed.
+/// The parts of a crawling robot beside its actuator, and the timing of its motion.
 struct CrawlTask {
   CrawlerParts parts{};
   CrawlTiming timing{.step = 1e-4};
 };
 
-/// What a robot of the design does on the ground, for studies: objectives, limits, expressions and columns. `task`
-/// gives the task of one design, whose settings may vary; it must be pure. The robot crawls only where one of these is
-/// asked for, and once for all of them. Its cell drives the current: that of the operating point is not read.
+/// The quantities of a crawling robot of the design, for studies: objectives, limits, expressions and columns. `task`
+/// gives the task of one design, whose settings may vary; it must be pure. The robot is simulated only if one of these
+/// is requested, and once for all of them. Its cell drives the current; that of the operating point is not used.
 ///
-/// A design whose pulses ask more of the cell than it delivers does not crawl, and says by how much.
+/// A design whose pulses need more current than the cell delivers does not crawl, and the reason says by how much.
 [[nodiscard]] std::vector<simulation::ResultQuantity> crawl_quantities(
     const std::function<CrawlTask(const simulation::Settings&)>& task);
 

@@ -26,14 +26,14 @@ struct FootFriction {
   double backwards{};  ///< while it slides towards the rear; finite, > 0
 };
 
-/// How the coils are switched: all of them in parallel on the cell through one switch.
+/// Switching of the coils: all of them in parallel on the cell through one switch.
 struct PulseDrive {
   double frequency = 10.0;        ///< of the pulses, Hz; finite, > 0
   double duty = 0.5;              ///< fraction of a period with the switch closed; > 0, < 1
   double lead_resistance = 0.12;  ///< of switch and leads, ohm, which carry the current of all coils; finite, >= 0
 };
 
-/// What a crawling robot is made of besides its actuator.
+/// The parts of a crawling robot beside its actuator.
 struct CrawlerParts {
   Payload payload{};
   Cell cell{};
@@ -52,8 +52,9 @@ struct CrawlerParts {
 /// each joint (on the link behind it) and of the front end. Immutable.
 class Crawler {
  public:
-  /// Throws std::invalid_argument naming field, rule and value: what breaks the rules of CrawlerParts, a pulse whose
-  /// current at rest exceeds the cell's limit, a model without coils, or one with effects that act while it runs.
+  /// Makes the robot. Throws std::invalid_argument naming field, rule and value for parts that break the rules of
+  /// CrawlerParts, a pulse whose current at rest exceeds the cell's limit, a model without coils, or one with effects
+  /// that act while it runs.
   Crawler(const actuator::Design& design, const actuator::Assembly& assembly, const CrawlerParts& parts);
 
   [[nodiscard]] const CrawlerParts& parts() const noexcept { return parts_; }
@@ -61,9 +62,9 @@ class Crawler {
   [[nodiscard]] const mechanics::FloatingChain& chain() const noexcept { return chain_; }
   [[nodiscard]] double mass() const noexcept { return chain_.mass(); }                ///< kg
   [[nodiscard]] double coil_resistance() const noexcept { return coil_resistance_; }  ///< of one coil at 20 degC, ohm
-  /// Rear end, below each joint, front end.
+  /// The contact points: rear end, below each joint, front end.
   [[nodiscard]] const std::vector<mechanics::LinkPoint>& contact_points() const noexcept { return points_; }
-  /// Lying straight, every contact point at height 0.
+  /// The coordinates of the robot lying straight, with every contact point at height 0.
   [[nodiscard]] mechanics::CoordinateVector lying() const;
   /// Current of one coil while the switch is closed and nothing moves, A.
   [[nodiscard]] double pulse_current() const noexcept;

@@ -19,12 +19,13 @@ struct CellDrive {
   double capacity{};                     ///< A s; finite, > 0
   std::optional<double> most_current{};  ///< that it delivers, A; finite, > 0; nothing: 20 times the capacity an hour
 
-  /// most_current, or what small lithium cells are sold for.
+  /// The largest current: most_current, or the usual rating of small lithium cells.
   [[nodiscard]] double current_limit() const { return most_current.value_or(20.0 * capacity / 3600.0); }
 };
 
-/// How an actuator is driven, and what is asked. Of duty and mean current at least one is given: the duty alone asks
-/// what it makes, the mean current alone for its duty, and both for the supply voltage that makes it at that duty.
+/// The drive of an actuator, and the question about it. At least one of duty and mean current is given: the duty alone
+/// asks for the current, the mean current alone for its duty, and both for the supply voltage that gives it at that
+/// duty.
 struct DriveQuestion {
   std::variant<drive::HBridge, CellDrive> driver{};
   drive::BankWiring wiring = drive::BankWiring::parallel;
@@ -32,14 +33,14 @@ struct DriveQuestion {
   double frequency = 490.0;      ///< of the pulses, Hz
   std::optional<double> duty{};  ///< 0 to 1
   std::optional<double> mean{};  ///< of the coil that carries most, A; > 0
-  /// Mean of every coil, degC; nothing: where this drive leaves it when held for good.
+  /// Mean temperature of every coil, degC; absent: the temperature that this drive gives when held for good.
   std::optional<double> coil_temperature = 20.0;
 };
 
-/// The highest supply voltage that is looked for, V.
+/// The highest supply voltage that is tried, V.
 inline constexpr double most_supply_voltage = 1000.0;
 
-/// What a user of a driven actuator must know.
+/// Warnings about a driven actuator.
 enum class DriveWarning {
   out_of_reach,      ///< the wanted mean current cannot be had
   below_voltage,     ///< the supply is below what the bridge needs
@@ -57,19 +58,19 @@ enum class DriveWarning {
   runaway            ///< at this rms current the coils have no steady temperature below copper's melting
 };
 
-/// "out_of_reach" and so on, as JSON has it.
+/// The word in JSON: "out_of_reach" and so on.
 [[nodiscard]] std::string_view name_of(DriveWarning warning);
 
-/// What motion does to the circuit while it carries a current, for the straight actuator.
+/// Effect of motion on the circuit while it carries a current, for the straight actuator.
 struct MotionalEffect {
   double emf_per_rate{};  ///< voltage at the driver per rate of bending with like rates of all joints, V s/rad
-  /// Damping of that motion by the currents that it drives through a closed circuit, and of the joints, N m s/rad, as
-  /// the sum over all joints of one actuator.
+  /// Damping of a motion by the currents that it drives through a closed circuit, and by the joints, N m s/rad, as the
+  /// sum over all joints of one actuator.
   double damping{};
   double joint_damping{};
 };
 
-/// The answer.
+/// The answer to a DriveQuestion.
 struct DrivenActuator {
   double duty{};
   double supply_voltage{};               ///< of the open circuit, V
@@ -83,17 +84,18 @@ struct DrivenActuator {
   double straight_continuous_current{};  ///< the same of the straight actuator, where they are nearest to each other, A
   double ampacity{};                     ///< of the wire, A
   Eigen::VectorXd coil_temperatures{};   ///< mean of each coil of an actuator, for which all this holds, degC
-  /// Of the coils, when this rms current is held for good, degC; nothing in a runaway. A coil that warms takes less of
-  /// a voltage: there it is an upper bound, unless coil_temperature asks for the coils' own.
+  /// Hottest temperature of the coils when this rms current is held for good, degC; absent in a runaway. A coil that
+  /// warms takes less current from a voltage; there it is an upper bound, unless coil_temperature asks for the coils'
+  /// own temperature.
   std::optional<double> steady_hot_spot{};
   std::optional<double> run_time{};  ///< of the cell, s; infinite without current
   MotionalEffect motion{};
   std::vector<DriveWarning> warnings{};
 };
 
-/// Drives an assembled design. The thermal figures are those with the joints at actuator::thermal_joint_angle; magnets
-/// are those of the model at 20 degC. Throws std::invalid_argument naming field, rule and value for a question that is
-/// none, and where the coils' own temperature is asked for and is none at which copper is solid.
+/// Drives an assembled design. The thermal figures have the joints at actuator::thermal_joint_angle; magnets are those
+/// of the model at 20 degC. Throws std::invalid_argument naming field, rule and value for an invalid question, and if
+/// the coils' own temperature is asked for and copper is not solid there.
 [[nodiscard]] DrivenActuator drive_actuator(const actuator::Design& design, const actuator::Assembly& assembly,
                                             const DriveQuestion& question);
 

@@ -12,10 +12,10 @@
 
 namespace coilwright::systems {
 
-/// The pulses of one driver that are followed at most.
+/// The largest number of pulses of one driver that are followed.
 inline constexpr double most_pulses = 1e5;
 
-/// Coils on a driver that pulses from time 0 on, where the first pulse begins.
+/// Coils on a driver whose first pulse begins at time 0.
 struct MotionDrive {
   drive::CoilBank bank{};  ///< of one actuator, constant: temperatures and mutual inductances stay as they are
   drive::Driver driver{};  ///< its current limit acts as in drive::steady_current()
@@ -23,14 +23,14 @@ struct MotionDrive {
   int actuators = 1;  ///< alike, on the same driver and moving alike; >= 1. Between them there is no mutual inductance.
 };
 
-/// For how long a motion is followed, and when it is looked at.
+/// Duration of a motion, and the times of its samples.
 struct MotionTiming {
   double duration{};  ///< s; finite, > 0
   double interval{};  ///< between samples, s; finite, > 0, at most duration
 };
 
-/// Where the energy has gone since the start, all actuators, J. source = coils + switches + diodes + supply + work +
-/// growth of the field.
+/// Energies since the start, all actuators, J. source = coils + switches + diodes + supply + work + growth of the
+/// field.
 struct MotionEnergies {
   double source{};    ///< from the supply's electromotive force, less what has returned to it
   double coils{};     ///< heat in the coils' copper
@@ -51,27 +51,27 @@ struct MotionSample {
   MotionEnergies energies{};
 };
 
-/// Follows `model` from `start` with its coils on a driver: a state of each coil is its current, with di/dt by the
-/// inverse of the inductances from the driver's voltage, the resistances and what the motion induces; torques and
-/// induced voltages are by the same curves. Each phase of each pulse is a run of simulation::simulate_at() of its own,
-/// which ends where a diode ceases or begins to conduct or the limit trips, found by halving. Samples are those from
-/// time 0 at every interval and at the end.
+/// Follows `model` from `start` with its coils on a driver. The current of each coil is a state; di/dt follows by the
+/// inverse of the inductances from the driver's voltage, the resistances and the induced voltages, and torques and
+/// induced voltages are by the same curves. Each phase of each pulse is a run of simulation::simulate_at(), which ends
+/// where a diode ceases or begins to conduct or the limit trips, found by halving. Samples are those from time 0 at
+/// every interval and at the end.
 ///
-/// Left out: what holds for drive::Driver; a current that motion has turned round takes the phase after a dead time at
+/// The approximations of drive::Driver apply; a current that motion has reversed takes the phase after a dead time at
 /// once. Throws std::invalid_argument naming field, rule and value, also for a model with effects on currents or
-/// magnetics, and std::runtime_error with the time where the motion leaves the model, or drives a current backwards
-/// into a diode.
+/// magnetics, and std::runtime_error with the time if the motion leaves the model, or drives a current backwards into a
+/// diode.
 [[nodiscard]] std::vector<MotionSample> drive_motion(const actuator::Model& model, const MotionDrive& drive,
                                                      const MotionTiming& timing, const simulation::State& start,
                                                      const simulation::Accuracy& accuracy = {});
 
-/// The same of a design from where it hangs at rest without current, under the drive that drive_actuator() answers
-/// `question` with. Throws std::invalid_argument also where it has no such pose.
+/// Follows a design from its rest pose without current, with the drive that drive_actuator() finds for `question`.
+/// Throws std::invalid_argument also if it has no such pose.
 [[nodiscard]] std::vector<MotionSample> drive_motion(const actuator::Design& design, const actuator::Assembly& assembly,
                                                      const DriveQuestion& question, const DrivenActuator& answer,
                                                      const MotionTiming& timing);
 
-/// The figures of a motion, by its samples.
+/// Figures of a motion from its samples.
 struct MotionSummary {
   double duration{};           ///< s
   double start_bending{};      ///< sum of the joint angles at the first sample, rad
@@ -83,7 +83,7 @@ struct MotionSummary {
   MotionEnergies energies{};   ///< at the end
 };
 
-/// Precondition: `motion` has at least one sample.
+/// Computes the figures. Precondition: `motion` has at least one sample.
 [[nodiscard]] MotionSummary summary_of(const std::vector<MotionSample>& motion);
 
 }  // namespace coilwright::systems

@@ -8,25 +8,25 @@
 
 namespace coilwright::systems {
 
-/// The pulsed supply of a study: an H-bridge that shorts the coils while off, or a cell with a switch and a diode. What
-/// is not said here is as in drive::HBridge and drive::CellSwitch.
+/// The pulsed supply of a study: an H-bridge that shorts the coils while off, or a cell with a switch and a diode.
+/// Values that are not here are those of drive::HBridge and drive::CellSwitch.
 struct DriverTask {
-  /// What switches.
+  /// The kind of switching.
   enum class Kind { h_bridge, cell };
   Kind kind{};
   double voltage{};           ///< of the open circuit, V; finite, > 0
   double resistance{};        ///< inside, with leads, ohm; finite, >= 0
   double frequency = 490.0;   ///< of the pulses, Hz; finite, > 0
   double most_current = 3.6;  ///< that bridge or cell bears, of all coils, A; finite, > 0
-  /// Of all switches that the current passes while on, ohm; finite, >= 0.
+  /// Resistance of all switches that the current passes while on, ohm; finite, >= 0.
   double switch_resistance = drive::HBridge{}.high_resistance + drive::HBridge{}.low_resistance;
 };
 
-/// What such a driver has to do so that the mean current of the coil that carries most is the operating point's: its
-/// duty with the coils as warm as the free finger makes them (the gripping one where that alone is held), its ripple
-/// and peaks with coils at 20 degC, where they are largest. Where it cannot give that current none has a value. For
-/// studies: objectives, limits, expressions and columns. `task` gives that of one design, whose settings may vary; it
-/// must be pure. All coils hang on the driver as the operating point's wiring says.
+/// The quantities of a driver that gives the operating point's current as the mean current of the coil that carries
+/// most: its duty with the coils as warm as in the free finger (in the gripping one if only that is held), its ripple
+/// and peaks with coils at 20 degC, where they are largest. If it cannot give that current, none has a value. For
+/// studies: objectives, limits, expressions and columns. `task` gives the driver of one design, whose settings may
+/// vary; it must be pure. All coils hang on the driver by the operating point's wiring.
 [[nodiscard]] std::vector<simulation::ResultQuantity> driver_quantities(
     const std::function<DriverTask(const simulation::Settings&)>& task);
 

@@ -11,10 +11,10 @@
 
 namespace coilwright::systems {
 
-/// The samples of one warm-up at most.
+/// The largest number of samples of one warm-up.
 inline constexpr double most_warm_up_samples = 1e6;
 
-/// A driven actuator while it warms, at one time.
+/// State of a driven actuator at one time while it warms.
 struct WarmUpSample {
   double time{};                      ///< since the drive was switched on, s
   Eigen::VectorXd coil_temperatures;  ///< mean of each coil of an actuator, base to tip, degC
@@ -27,7 +27,7 @@ struct WarmUpSample {
   double heat{};                      ///< of the coils of one actuator, W
 };
 
-/// The first part to pass its limit.
+/// The first part that passes its limit.
 struct PassedLimit {
   double time{};             ///< s
   thermal::NodeKind kind{};  ///< coil or magnet
@@ -35,21 +35,21 @@ struct PassedLimit {
   double limit{};            ///< degC
 };
 
-/// How a driven actuator warms.
+/// Temperatures and currents of a driven actuator while it warms.
 struct WarmUp {
   std::vector<WarmUpSample> samples{};   ///< from time 0 at every interval and at the end, which is before the melting
   std::optional<PassedLimit> limit{};    ///< nothing where no part passes its own
   std::optional<double> melting_time{};  ///< when a coil's copper would melt, s; nothing where it does not
 };
 
-/// How the parts of a design warm from the temperature of their surroundings, with the duty and the voltage of `answer`
-/// (drive_actuator() of `question`) held: C dT/dt = q - G (T - Ta), where each coil makes the heat q of its share of
-/// the current that the driver's periodic steady state has at the coils' resistances of that moment. Under a voltage
-/// the current falls as the coils warm. Joints are at actuator::thermal_joint_angle.
+/// Temperatures of a design's parts from those of its surroundings on, with the duty and the voltage of `answer`
+/// (drive_actuator() of `question`) held: C dT/dt = q - G (T - Ta). Each coil makes the heat q of its share of the
+/// current in the driver's periodic steady state at the present resistances, so under a voltage the current falls as
+/// the coils warm. Joints are at actuator::thermal_joint_angle.
 ///
-/// Left out: the transients of current (some L/R, under 1 ms) and motion (some 0.1 s), which are over before anything
-/// warms (a coil of the prototype by 0.9 K/s at 1.4 A), and the weaker magnets of a warm actuator, whose torque is
-/// less. Throws std::invalid_argument naming field, rule and value, as for effects on currents.
+/// Left out are the transients of current (some L/R, under 1 ms) and motion (some 0.1 s), which end before anything
+/// warms (a coil of the prototype by 0.9 K/s at 1.4 A), and the smaller torque of warm magnets. Throws
+/// std::invalid_argument naming field, rule and value, also for effects on currents.
 [[nodiscard]] WarmUp warm_up(const actuator::Design& design, const actuator::Assembly& assembly,
                              const DriveQuestion& question, const DrivenActuator& answer, const MotionTiming& timing);
 

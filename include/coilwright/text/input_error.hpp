@@ -5,7 +5,7 @@
 
 namespace coilwright::text {
 
-/// What is wrong with an input, in the order in which it is told.
+/// A fault of an input, in the order in which it is reported.
 struct Fault {
   std::string file{};   ///< the path as the caller gave it
   std::string place{};  ///< JSON pointer, "line 3, column 7" or "line 12: column current_A"; empty: the file as a whole
@@ -13,11 +13,11 @@ struct Fault {
   std::string value{};  ///< what stands there instead, as it is to be shown; empty: nothing to show
 };
 
-/// An input file that cannot be used. what() is one line, whatever the file holds:
-/// `study.json: /variables/gap_mm/upper: must exceed lower (2); got 1.5`.
+/// An error for an input file that cannot be used. what() is one line, whatever the file holds: `study.json:
+/// /variables/gap_mm/upper: must exceed lower (2); got 1.5`.
 class InputError : public std::runtime_error {
  public:
-  /// Puts the fault into one line.
+  /// Writes the fault into one line.
   explicit InputError(Fault fault);
   [[nodiscard]] const Fault& fault() const noexcept { return fault_; }
 

@@ -9,8 +9,8 @@
 
 namespace coilwright::text {
 
-/// The number that all of a text spells, whatever the locale; nothing where it is not exactly one, is not finite or
-/// does not fit the type.
+/// The number that a whole text spells, whatever the locale; absent if it is not exactly one, is not finite or does not
+/// fit the type.
 template <class Number = double>
 [[nodiscard]] std::optional<Number> number_in(std::string_view text) noexcept {
   Number value{};

@@ -6,11 +6,11 @@
 
 namespace coilwright::text {
 
-/// A file opened to be read byte for byte, however long it is; reading that fails throws std::ios_base::failure, and is
-/// no end of the file. Throws InputError where it cannot be opened.
+/// Opens a file of any length for reading byte by byte. A read error throws std::ios_base::failure and does not count
+/// as the end of the file. Throws InputError if the file cannot be opened.
 [[nodiscard]] std::ifstream opened(const std::filesystem::path& path);
 
-/// Copies what is left of a file. Throws InputError, which calls it `path`, where it cannot be read to its end.
+/// Copies the rest of a file. Throws InputError, which calls it `path`, if it cannot be read to its end.
 void copy_rest(std::ifstream& from, const std::filesystem::path& path, std::ostream& to);
 
 }  // namespace coilwright::text

@@ -4,7 +4,7 @@
 
 namespace coilwright::text {
 
-/// For a file that another library reads. Throws InputError where it is no regular file, cannot be opened or is empty.
+/// Checks a file that another library reads. Throws InputError if it is no regular file, cannot be opened or is empty.
 void require_readable(const std::filesystem::path& path);
 
 }  // namespace coilwright::text

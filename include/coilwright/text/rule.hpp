@@ -8,20 +8,20 @@ namespace coilwright::text {
 /// The interval in which a number of an input file must lie, in the unit in which the file gives it.
 class Rule {
  public:
-  /// Any finite number.
+  /// The rule "any finite number".
   [[nodiscard]] static constexpr Rule any() { return {unbounded_below, unbounded_above}; }
-  /// >= lower.
+  /// The rule ">= lower".
   [[nodiscard]] static constexpr Rule at_least(double lower) { return {{lower, true}, unbounded_above}; }
-  /// > lower.
+  /// The rule "> lower".
   [[nodiscard]] static constexpr Rule above(double lower) { return {{lower, false}, unbounded_above}; }
   /// <= upper.
   [[nodiscard]] static constexpr Rule at_most(double upper) { return {unbounded_below, {upper, true}}; }
   /// < upper.
   [[nodiscard]] static constexpr Rule below(double upper) { return {unbounded_below, {upper, false}}; }
-  /// Both ends allowed.
+  /// The rule that includes both ends.
   [[nodiscard]] static constexpr Rule between(double lower, double upper) { return {{lower, true}, {upper, true}}; }
 
-  /// Both rules at once: `Rule::above(0).and_also(Rule::at_most(1))`.
+  /// Both rules together: `Rule::above(0).and_also(Rule::at_most(1))`.
   [[nodiscard]] constexpr Rule and_also(const Rule& other) const {
     const bool other_lower =
         other.lower_.value > lower_.value || (other.lower_.value == lower_.value && !other.lower_.included);
@@ -41,7 +41,7 @@ class Rule {
   /// The upper end; infinity if there is none.
   [[nodiscard]] constexpr double upper() const { return upper_.value; }
 
-  /// "must be > 0", "must be from 2 to 5", "must be > 0 and <= 1", "must be finite".
+  /// The rule in words: "must be > 0", "must be from 2 to 5", "must be > 0 and <= 1", "must be finite".
   [[nodiscard]] std::string text() const;
 
  private:

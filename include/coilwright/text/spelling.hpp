@@ -12,19 +12,19 @@ namespace coilwright::text {
 /// string alignment distance).
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// Whether a word is one of `words`, which | parts.
+/// Whether a word is one of `words`, which are separated by |.
 [[nodiscard]] bool is_one_of(std::string_view word, std::string_view words);
 
-/// The candidates that `word` was most likely meant to be, in their order: those nearest to it, at most a third of its
-/// letters (at least one) away.
+/// The candidates that `word` most likely stands for, in their order: the nearest ones that differ in at most a third
+/// of its letters (at least one).
 [[nodiscard]] std::vector<std::string> nearest_words(std::string_view word, std::span<const std::string> candidates);
 
-/// `must be "fit"`, `must be one of "fit", "validate"`: the rule of a text that is one of `legal` words.
+/// The rule for a text that must be one of `legal` words: `must be "fit"`, `must be one of "fit", "validate"`.
 [[nodiscard]] std::string must_be_one_of(std::span<const std::string> legal);
 
-/// `; did you mean "evaluate"?`: the candidates that have `word` among their words ("mass" for "mass_g") or, where that
-/// is too many, those that begin with it, or else the nearest ones. Nothing when no candidate is near, or more than
-/// four are.
+/// A suggestion, `; did you mean "evaluate"?`: the candidates that have `word` among their words ("mass" for "mass_g")
+/// or, if these are too many, those that begin with it, or else the nearest ones. Empty if no candidate is near, or
+/// more than four are.
 [[nodiscard]] std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace coilwright::text

@@ -12,7 +12,7 @@ enum class Outcome {
   runaway   ///< heat grows faster with temperature than its removal: there is no steady state
 };
 
-/// Where temperatures end under a constant load.
+/// The final temperatures under a constant load.
 struct SteadyState {
   Outcome outcome{};
   NodeVector temperatures;  ///< mean of each node, degC; empty after a runaway
@@ -20,26 +20,27 @@ struct SteadyState {
   NodeVector heat;          ///< made in each node at those temperatures, W; empty after a runaway
 };
 
-/// Steady state under mean square currents (A^2, >= 0, a value a node; entries of other nodes than coils must be 0).
+/// Steady state under mean square currents (A^2, >= 0, one per node; entries of nodes other than coils must be 0).
 ///
 /// Heat is affine in temperature, so this is one linear system (G - alpha diag(x R)) (T - Ta) = x R (1 + alpha (Ta -
-/// 20)). It has a stable steady state exactly when its matrix is positive definite, which the Cholesky factor tells.
+/// 20)). It has a stable steady state exactly if its matrix is positive definite, which the Cholesky factor shows.
 /// Throws std::invalid_argument naming the field, the rule and the value received.
 [[nodiscard]] SteadyState steady_state(const Network& network, const NodeVector& mean_square_currents);
 
-/// The steady current at which a chain stops having a steady state, A, with the same current in every coil: the root of
-/// the largest x for which G - alpha diag(x R) is positive semidefinite (a generalised eigenvalue). Throws
-/// std::invalid_argument for a network without coils.
+/// The smallest steady current without a steady state, A, with the same current in every coil: the root of the largest
+/// x for which G - alpha diag(x R) is positive semidefinite (a generalised eigenvalue). Throws std::invalid_argument
+/// for a network without coils.
 [[nodiscard]] double runaway_current(const Network& network);
 
 /// The nodes whose temperature limits count.
 enum class LimitedParts { coils, magnets, everything };
 
-/// The largest steady current and what sets it.
+/// The largest steady current, and the part that limits it.
 struct ContinuousCurrent {
-  /// A. 0 when ambient itself is at a limit; the runaway current when no limited node reaches its limit below that.
+  /// The current, A: 0 if ambient itself is at a limit, and the runaway current if no limited node reaches its limit
+  /// below that.
   double current{};
-  /// Index of the node at its limit; the number of nodes when it is the runaway that limits.
+  /// Index of the node at its limit; the number of nodes if the runaway limits the current.
   std::size_t limiting_node{};
 };
 
@@ -49,17 +50,17 @@ struct ContinuousCurrent {
 /// LimitedParts::magnets without magnets.
 [[nodiscard]] ContinuousCurrent continuous_current(const Network& network, LimitedParts parts);
 
-/// What limits the current of a network, A.
+/// The current limits of a network, A.
 struct CurrentLimits {
   double coils{};    ///< continuous_current for coils
   double magnets{};  ///< likewise for magnets; the runaway current where there are none
   double runaway{};  ///< runaway_current
 
-  /// What neither coils nor magnets forbid for good.
+  /// The largest current that coils and magnets bear for good.
   [[nodiscard]] double for_good() const noexcept { return std::min(coils, magnets); }
 };
 
-/// All three for the work of one. Throws std::invalid_argument for a network without coils.
+/// Computes all three limits at the cost of one. Throws std::invalid_argument for a network without coils.
 [[nodiscard]] CurrentLimits current_limits(const Network& network);
 
 }  // namespace coilwright::thermal

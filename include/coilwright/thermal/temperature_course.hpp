@@ -10,17 +10,17 @@
 
 namespace coilwright::thermal {
 
-/// Heat made in each node at mean temperatures of the nodes (degC): W, a value a node.
+/// Returns the heat made in each node, W, at mean temperatures of the nodes (degC); one value per node.
 using HeatAt = std::function<NodeVector(const NodeVector&)>;
 
-/// For how long temperatures are followed, and when they are looked at.
+/// Duration of a course of temperatures, and the times of its samples.
 struct CourseTiming {
   double duration{};                                         ///< s; finite, > 0
   double interval{};                                         ///< between looks, s; finite, > 0, at most duration
   double highest = std::numeric_limits<double>::infinity();  ///< ends where a node's mean reaches this, degC
 };
 
-/// Temperatures from those of the surroundings on.
+/// Temperatures over time, from those of the surroundings on.
 struct TemperatureCourse {
   std::vector<double> times{};              ///< 0, every interval, and the end, s
   std::vector<NodeVector> temperatures{};   ///< at these, degC, a value a node
@@ -28,9 +28,10 @@ struct TemperatureCourse {
   std::optional<double> highest_reached{};  ///< when a node reached `highest`, s; no later times are there
 };
 
-/// Follows C dT/dt = heat(T) - G (T - ambient) where the heat depends on the temperatures in any way; Transient is
-/// exact where the currents stay. By Dormand and Prince's pair (Boost.Odeint) to 1e-7 of a temperature a step, limits
-/// found on its interpolation. Throws std::invalid_argument naming the field, the rule and the value received.
+/// Follows C dT/dt = heat(T) - G (T - ambient) for heat that depends on the temperatures in any way; for constant
+/// currents Transient is exact. The method is Dormand and Prince's pair (Boost.Odeint) to 1e-7 of a temperature per
+/// step, with limits found on its interpolation. Throws std::invalid_argument naming the field, the rule and the value
+/// received.
 [[nodiscard]] TemperatureCourse temperature_course(const Network& network, const HeatAt& heat,
                                                    const CourseTiming& timing);
 

@@ -16,7 +16,7 @@ class Transient {
     NodeVector mean_square_currents;  ///< A^2, >= 0, a value a node; 0 in other nodes
     NodeVector initial;               ///< temperatures at time 0, degC, a value a node; finite
   };
-  /// Throws std::invalid_argument naming the field, the rule and the value received.
+  /// Prepares the modes. Throws std::invalid_argument naming the field, the rule and the value received.
   Transient(const Network& network, const Spec& spec);
 
   /// Temperatures at `time` (s, finite, >= 0), degC. Throws std::invalid_argument for another time.
@@ -38,14 +38,14 @@ struct Overload {
   double overload_current{};  ///< from time 0 on, A; finite, magnitude above the holding current's
 };
 
-/// When the first node reaches its temperature limit, and which.
+/// The time at which the first node reaches its temperature limit, and that node.
 struct TimeToLimit {
   double time{};  ///< s; 0 when the holding current alone exceeds a limit
   std::size_t node{};
 };
 
-/// Time from the start of an overload until the first hot spot (of a coil or magnet) reaches its limit; nothing if none
-/// ever does. Temperatures only rise in an overload, so the first crossing is the only one. To 1e-9 relative. Throws
+/// Time from the start of an overload until the first hot spot (of a coil or magnet) reaches its limit, to 1e-9
+/// relative; absent if none does. Temperatures only rise in an overload, so there is one crossing. Throws
 /// std::invalid_argument for currents outside their rule, or a holding current that has no steady state.
 [[nodiscard]] std::optional<TimeToLimit> time_to_limit(const Network& network, const Overload& overload);
 

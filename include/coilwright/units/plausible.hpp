@@ -4,8 +4,8 @@
 
 namespace coilwright::units {
 
-/// The greatest size, in `unit` and without its sign, that a number of an actuator, its surroundings or a measurement
-/// can have: far beyond any hardware, and near enough that nothing overflows. What is larger is a slip.
+/// Largest plausible magnitude, in `unit`, of a number of an actuator, its surroundings or a measurement: far beyond
+/// any hardware, and small enough that nothing overflows. Larger numbers are slips.
 [[nodiscard]] double greatest_plausible(const Unit& unit) noexcept;
 
 }  // namespace coilwright::units

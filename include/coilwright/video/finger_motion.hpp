@@ -8,7 +8,7 @@
 
 namespace coilwright::video {
 
-/// What is known of the camera beside what the film shows.
+/// Knowledge about the camera beside the film.
 struct CameraKnowledge {
   std::optional<Lens> lens{};          ///< otherwise usual_lens()
   std::optional<double> readout{};     ///< s from the first row's exposure to the last row's; otherwise estimated
@@ -29,13 +29,13 @@ struct TagMotion {
   std::vector<AngleSample> samples{};
 };
 
-/// A number that the film gives, or not.
+/// A number that the film may show.
 struct CameraEstimate {
   double value{};  ///< s
   double sigma{};  ///< s; 0 where it was given
 };
 
-/// What a finger did.
+/// The motion of a finger in a film.
 struct FingerMotion {
   std::vector<TagMotion> tags{};  ///< but the base, by id
   double interval{};              ///< s, median, between pictures
@@ -43,12 +43,12 @@ struct FingerMotion {
   CameraEstimate readout{};
   CameraEstimate exposure{};
   double tilt{};  ///< rad, of the optical axis from the normal of the plane of motion
-  /// By how much the mean angle of a tag may be off, rad: as a lens that was not given may see 35 to 85 degrees over
-  /// the longer side of the picture, and as the film may not tell to which side the plane leans.
+  /// Bias of the mean angle of a tag, rad: by a lens that was not given and may see 35 to 85 degrees over the longer
+  /// side of the picture, and by a plane whose lean the film may not show.
   double view_bias{};
 };
 
-/// Throws text::InputError where the film has no base or no other tag, or too few pictures.
+/// Computes the motion. Throws text::InputError if the film has no base or no other tag, or too few pictures.
 [[nodiscard]] FingerMotion finger_motion(const TrackedFilm& film, const CameraKnowledge& camera = {});
 
 }  // namespace coilwright::video

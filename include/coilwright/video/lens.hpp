@@ -7,7 +7,7 @@
 
 namespace coilwright::video {
 
-/// How a camera draws: a pinhole with the distortion of Brown and Conrady, as OpenCV's documentation of calib3d has it.
+/// The model of a camera: a pinhole with the distortion of Brown and Conrady, as in OpenCV's documentation of calib3d.
 struct Lens {
   int width{};                         ///< of its pictures, px
   int height{};                        ///< of its pictures, px
@@ -16,10 +16,10 @@ struct Lens {
   std::array<double, 5> distortion{};  ///< k1, k2, p1, p2, k3
 };
 
-/// A lens that does not distort and sees `view`, rad, over the longer side of pictures of this size.
+/// A lens without distortion that sees `view`, rad, over the longer side of pictures of this size.
 [[nodiscard]] Lens plain_lens(int width, int height, double view);
 
-/// One of a phone's usual angle of view, 65 degrees: what is taken where none was calibrated.
+/// A lens with a phone's usual angle of view, 65 degrees, for films without a calibrated lens.
 [[nodiscard]] Lens usual_lens(int width, int height);
 
 /// The direction (x, y, 1) of the ray that the lens draws at `place`.

@@ -19,7 +19,7 @@ struct Picture {
   int height{};
   std::vector<std::uint8_t> grey{};  ///< row after row
 
-  /// The grey of a pixel, 0 to 255; x from the left and y from the top, inside of the picture.
+  /// The grey of a pixel, 0 to 255; x from the left and y from the top, inside the picture.
   [[nodiscard]] double at(int x, int y) const {
     return grey[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
   }
@@ -33,7 +33,7 @@ struct Area {
   int height{};
 };
 
-/// A tag that was found: its black square.
+/// The black square of a tag that was found.
 struct TagCorners {
   int id{};
   std::array<Place, 4> corners{};  ///< of the upright tag: left top, right top, right bottom, left bottom

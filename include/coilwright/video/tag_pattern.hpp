@@ -2,10 +2,10 @@
 
 namespace coilwright::video {
 
-/// The tags: the first of ArUco's dictionary of 4 by 4 bits (DICT_4X4_50), which have a black border of one module.
-/// Tag 0 stands at the base, 1 and on at the segments from the base to the tip.
+/// Number of tags: the first of ArUco's dictionary of 4 by 4 bits (DICT_4X4_50), which have a black border of one
+/// module. Tag 0 is on the base, 1 and on are on the segments from the base to the tip.
 inline constexpr int tag_count = 6;
-/// Modules along a side, border included; around it a margin of one white module is needed.
+/// Number of modules along a side, including the border. A margin of one white module is needed around it.
 inline constexpr int tag_modules = 6;
 
 /// Whether a module is white. `row` from the top and `column` from the left of the upright tag, from 0.

@@ -23,14 +23,14 @@ struct Sighting {
   TagCorners outline{};
 };
 
-/// A picture in which something was read.
+/// A picture in which a tag was read.
 struct Frame {
   double time{};                      ///< s, as the container stamps it
   double led{};                       ///< mean grey where the LED is, 0 to 255; 0 where none was asked for
   std::vector<Sighting> sightings{};  ///< by id, each once
 };
 
-/// What a film shows.
+/// The tags in the pictures of a film.
 struct TrackedFilm {
   std::string file{};
   int width{};
@@ -38,26 +38,27 @@ struct TrackedFilm {
   std::size_t pictures{};   ///< decoded
   std::size_t doubled{};    ///< that show the picture before once more, and are left out
   std::size_t unstamped{};  ///< that have no time stamp, and are left out: the last ones of some films
-  /// Clockwise turn of the pictures against the camera's sensor, in quarters, 0 to 3.
+  /// Clockwise turn of the pictures relative to the camera's sensor, in quarters, 0 to 3.
   int quarter_turns{};
   std::vector<Frame> frames{};
 };
 
-/// The direction in a picture, a unit vector, in which the sensor's rows follow each other, first to last.
+/// The direction in a picture, a unit vector, in which the sensor's rows follow each other from first to last.
 [[nodiscard]] Place direction_of_rows(const TrackedFilm& film);
-/// How many rows the sensor has of a film.
+/// Number of rows of the sensor that took a film.
 [[nodiscard]] int rows_of(const TrackedFilm& film);
-/// How far after the middle row a place is exposed, as a share of the time in which all rows are read out, -0.5 to 0.5.
+/// Delay of the exposure of a place after the middle row, as a share of the time in which all rows are read out, -0.5
+/// to 0.5.
 [[nodiscard]] double share_of_readout(const TrackedFilm& film, const Place& place);
 
-/// What to look for.
+/// The tags to find in a film.
 struct TrackRequest {
   std::optional<Place> led{};
   std::function<void(const Picture&, const Frame&)> preview{};  ///< is shown every frame, where it is given
 };
 
-/// Follows the tags through a film. Throws text::InputError in one line: no picture, no tag, mirrored, two tags alike,
-/// all pictures one, times that do not increase.
+/// Follows the tags through a film. Throws text::InputError in one line: no picture, no tag, mirrored, two like tags,
+/// identical pictures, times that do not increase.
 [[nodiscard]] TrackedFilm track_film(const Vision& vision, const std::filesystem::path& file,
                                      const TrackRequest& request = {});
 

@@ -5,12 +5,12 @@
 
 namespace coilwright::winding {
 
-/// Smallest inner radius of a winding, in insulated wire diameters. The film of 0.14 to 1.6 mm wire must survive being
-/// wound on its own diameter (IEC 60317, mandrel test: radius 0.5 d); three times that is our margin for tension, kinks
-/// at the crossovers and the finer gauges, whose test is wider. A choice, not a standard.
+/// Smallest inner radius of a winding, in insulated wire diameters. The film of 0.14 to 1.6 mm wire must survive
+/// winding on its own diameter (IEC 60317, mandrel test: radius 0.5 d); three times that is our margin for tension,
+/// kinks at the crossovers and the finer gauges, whose test is wider. A choice, not a standard.
 inline constexpr double smallest_mandrel_radius = 1.5;
 
-/// A thick circular coil of round enamelled copper wire: turns in, dimensions and electrical data out. Immutable.
+/// A thick circular coil of round enamelled copper wire: its turns determine dimensions and electrical data. Immutable.
 class Winding {
  public:
   /// Inputs of a Winding. Name every field at the call site.
@@ -21,7 +21,7 @@ class Winding {
     Wire wire{};            ///< of gauge() or round_wire()
     Packing packing{};      ///< pitches; as the prototype's unless given
   };
-  /// Throws std::invalid_argument naming the field, the rule and the value received.
+  /// Makes the winding. Throws std::invalid_argument naming the field, the rule and the value received.
   explicit Winding(const Spec& spec);
 
   [[nodiscard]] const Spec& spec() const noexcept { return spec_; }
@@ -46,23 +46,23 @@ class Winding {
   Spec spec_;
 };
 
-/// Room that a winding may take. Both are lengths in m, > 0; infinity means that there is no limit.
+/// Space for a winding. Both are lengths in m, > 0; infinity means no limit.
 struct Room {
   double outer_radius{};
   double length{};
 };
 
-/// By how much a winding is larger than its room, m: positive does not fit, negative is the space left.
+/// Excess of a winding over its space, m: a positive value does not fit, a negative one is the space left.
 struct Fit {
   double radial_excess{};
   double axial_excess{};
-  /// Whether the winding fits. One that fills its room exactly does, so an excess below a picometre (rounding of the
+  /// Whether the winding fits. One that fills its space exactly does, so an excess below a picometre (rounding of the
   /// sums of pitches, far below any tolerance of manufacture) counts as none.
   [[nodiscard]] bool fits() const noexcept { return radial_excess <= 1e-12 && axial_excess <= 1e-12; }
 };
 
-/// Compares a winding with the room given. Never changes the winding: one that does not fit is infeasible, and the
-/// answer says by how much. Throws std::invalid_argument for a room that is not > 0 (infinity is legal).
+/// Compares a winding with a space. It never changes the winding: one that does not fit is infeasible, and the answer
+/// says by how much. Throws std::invalid_argument for a space that is not > 0 (infinity is legal).
 [[nodiscard]] Fit fit(const Winding& winding, const Room& room);
 
 /// Radius of the wire's centre in layer `layer` (0 is the innermost), m. Throws std::invalid_argument outside

@@ -31,12 +31,13 @@ struct PairFile {
 
 /// Reads a pair
 ///
-/// {"magnet": {"radius_mm", "length_mm", "remanence_T"}, "coil": {"inner_radius_mm", "outer_radius_mm", "length_mm",
-/// "turns_radial", "turns_axial"}, "current_A", "winding", "poses": [{"position_mm": [x, y, z], "axis": [x, y, z]}]}
+///     {"magnet": {"radius_mm", "length_mm", "remanence_T"},
+///      "coil": {"inner_radius_mm", "outer_radius_mm", "length_mm", "turns_radial", "turns_axial"},
+///      "current_A", "winding", "poses": [{"position_mm": [x, y, z], "axis": [x, y, z]}]}
 ///
 /// or a list of bodies
 ///
-/// {"bodies": [{"name", "coil" or "magnet", "current_A", "winding", "position_mm", "axis", "x_axis"}], "poses"}
+///     {"bodies": [{"name", "coil" or "magnet", "current_A", "winding", "position_mm", "axis", "x_axis"}], "poses"}
 ///
 /// either with a "plate". A pair may also be of two "magnets" or two "coils". docs/formats-pair.md explains every key.
 /// Throws InputError.

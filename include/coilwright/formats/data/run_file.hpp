@@ -65,20 +65,14 @@ struct RunFile {
 /// transient may lack the input, or all measured values; the input then has times of its own.
 ///
 /// Columns by kind (units of one dimension are interchangeable):
-///
-/// transient: time_s, one input (current_A; current1_A, ..; voltage_V; torque1_Nm, ..), at least one of
-/// bending_angle_deg, theta1_deg, .., omega1_rad_s, ..; the input may be left out if the coils are open or shorted, and
-/// is then a current of 0 in all of them;
-///
-/// still: time_s and the same measured columns; an input is ignored;
-///
-/// static_torque: angle_deg, current_A, torque_Nmm;
-///
-/// joint_stiffness: angle_deg, torque_Nmm;
-///
-/// blocked_force: current_A, force_N, and optionally opening_deg and height_mm;
-///
-/// temperature: time_s, current_A, temperature_degC.
+/// - transient: time_s, one input (current_A; current1_A, ..; voltage_V; torque1_Nm, ..), at least one of
+///   bending_angle_deg, theta1_deg, .., omega1_rad_s, ..; the input may be left out if the coils are open or shorted,
+///   and is then a current of 0 in all of them;
+/// - still: time_s and the same measured columns; an input is ignored;
+/// - static_torque: angle_deg, current_A, torque_Nmm;
+/// - joint_stiffness: angle_deg, torque_Nmm;
+/// - blocked_force: current_A, force_N, and optionally opening_deg and height_mm;
+/// - temperature: time_s, current_A, temperature_degC.
 ///
 /// Throws InputError naming file, line, column and rule, with the columns to write into dataset.json if names differ;
 /// also if a column is in both files, or if the input does not cover the measurement: it must not begin later by more

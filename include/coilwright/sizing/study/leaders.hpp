@@ -18,16 +18,16 @@ struct Leader {
   SweptDesign design;
 };
 
-/// The designs of leaders that keep every limit, each once, in their order.
+/// The designs among leaders that keep every limit, each once, in their order.
 [[nodiscard]] std::vector<SweptDesign> feasible_designs(std::span<const Leader> leaders);
 
 /// Keeps the leaders of a sweep, design by design.
 class Leaders {
  public:
-  /// No leader yet. Keeps a copy of the problem.
+  /// Starts without a leader and copies the problem.
   explicit Leaders(const DesignProblem& problem);
 
-  /// Takes in one design. Of equal designs the first one stays.
+  /// Considers one design. Of equal designs the first one stays.
   void consider(const SweptDesign& design);
 
   /// The leaders by configuration in the order of the study, then by objective. A configuration without a feasible

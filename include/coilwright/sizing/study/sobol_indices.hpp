@@ -6,8 +6,8 @@
 
 namespace coilwright::sizing {
 
-/// What share of a quantity's variance a scatter has, with its 95 % interval by bootstrap: by itself, and with all that
-/// it does together with others (Saltelli et al., Computer Physics Communications 181 (2010) 259, with Jansen's sums).
+/// Share of a quantity's variance that a scatter causes, with its 95 % interval by bootstrap: by itself, or including
+/// its interactions (Saltelli et al., Computer Physics Communications 181 (2010) 259, with Jansen's sums).
 struct SobolIndex {
   double value{};
   double low{};
@@ -24,7 +24,7 @@ struct SaltelliValues {
 struct SobolIndices {
   std::vector<SobolIndex> first, total;  ///< by input
 };
-/// Their estimates, with intervals from 400 resamples of the rows by `seed`; nothing where the output does not vary.
+/// Estimates the indices, with intervals from 400 resamples of the rows by `seed`; absent if the output does not vary.
 [[nodiscard]] std::optional<SobolIndices> sobol_indices(const SaltelliValues& values, std::uint64_t seed);
 
 }  // namespace coilwright::sizing

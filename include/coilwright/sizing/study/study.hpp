@@ -24,8 +24,8 @@ struct Interval {
   double step{};  ///< 0: every value, or every whole number
 };
 
-/// Values of a list, ascending, in the unit of the variable's name; of a parameter that has names, their indices in any
-/// order.
+/// Values of a list, ascending, in the unit of the variable's name; for a parameter that is a choice their indices in
+/// any order.
 struct Choice {
   std::vector<double> values;
 };
@@ -41,7 +41,7 @@ struct CurrentVariable {
   std::variant<Interval, Choice> range;  ///< A
 };
 
-/// A row of coils and magnets and what files call it: "C", "coil -magnet coil".
+/// A row of coils and magnets, and its name in files: "C", "coil -magnet coil".
 struct NamedLayout {
   std::string name;
   actuator::Layout layout;
@@ -53,10 +53,11 @@ struct LayoutVariable {
   std::vector<NamedLayout> values;
 };
 
-/// A variable "configuration" of these.
+/// A variable "configuration" with these values.
 [[nodiscard]] LayoutVariable configuration_variable(std::vector<actuator::Configuration> values);
 
-/// A number that is no part of the design, if it varies: of what the study's quantities build from the actuator.
+/// A number outside the design, if it varies: a setting of the system that the study's quantities build from the
+/// actuator.
 struct SettingVariable {
   std::string name;  ///< as in simulation::Settings, which has its values; ends with its unit
   double base{};     ///< where the search begins, in the unit of the name
@@ -64,14 +65,14 @@ struct SettingVariable {
 };
 using StudyVariable = std::variant<ParameterVariable, CurrentVariable, LayoutVariable, SettingVariable>;
 
-/// A variable that moves one of actuator::parameters(). Throws std::invalid_argument where none has that name, and for
-/// a range of one that has names and takes a choice of their indices.
+/// A variable that moves one of actuator::parameters(). Throws std::invalid_argument if no parameter has that name, and
+/// for an interval for a parameter that is a choice.
 [[nodiscard]] ParameterVariable parameter_variable(std::string_view name, std::variant<Interval, Choice> range);
 
 /// The name of a variable as files write it: "gap_mm", "current_A", "configuration".
 [[nodiscard]] std::string name_of(const StudyVariable& variable);
 
-/// The variable of the search: in the unit of its name or, for lists and layouts, the index of the value.
+/// The variable of the search, in the unit of its name; for lists and layouts it is the index of the value.
 [[nodiscard]] Variable search_variable(const StudyVariable& variable);
 
 /// Number of values of a variable; empty for a continuous one.
@@ -80,21 +81,21 @@ using StudyVariable = std::variant<ParameterVariable, CurrentVariable, LayoutVar
 /// A value of a variable as files write it: a number, the name of a layout, or one of a parameter's names.
 using VariableValue = std::variant<double, std::string_view>;
 
-/// The value at a coordinate of the search.
+/// The value of a variable at a coordinate of the search.
 [[nodiscard]] VariableValue value_at(const StudyVariable& variable, double coordinate);
 
-/// The coordinate of the search at which a variable has that value, bit by bit; nothing where it has it nowhere.
+/// The coordinate of the search at which a variable has that value, bit by bit; absent if it never has it.
 [[nodiscard]] std::optional<double> coordinate_of(const StudyVariable& variable, const VariableValue& value);
 
 /// The coordinate of a number in a range: the number itself or, in a list, the index of the nearest.
 [[nodiscard]] double coordinate_near(double value, const std::variant<Interval, Choice>& range);
 
-/// The coordinate of the search at which a variable has that value or, of a number, the nearest that it takes; nothing
-/// for a word that it does not take, and where one of the two is a word and the other a number.
+/// The coordinate of the search at which a variable has that value or, for a number, the nearest one. Absent for a word
+/// that the variable does not have, and if one of the two is a word and the other a number.
 [[nodiscard]] std::optional<double> nearest_coordinate(const StudyVariable& variable, const VariableValue& value);
 
-/// What Parameter::set takes at a coordinate of the search, but for the unit: a number in that of the variable's name,
-/// or the index of a name.
+/// The argument of Parameter::set at a coordinate of the search: a number in the unit of the variable's name, or the
+/// index of a word.
 [[nodiscard]] double number_at(const ParameterVariable& variable, double coordinate);
 
 /// A quantity to make small or large.
@@ -106,7 +107,7 @@ struct StudyObjective {
 
 /// A quantity that must not pass a limit, in the unit of its name.
 struct Limit {
-  /// On which side of the limit the quantity must stay.
+  /// The side of the limit on which the quantity must stay.
   enum class Side { at_most, at_least };
   simulation::ResultQuantity quantity;
   Side side = Side::at_most;
@@ -114,7 +115,7 @@ struct Limit {
   std::optional<simulation::ResultQuantity> of_build{};  ///< as that of an objective
 };
 
-/// What an objective or a limit is about in one build.
+/// The quantity of one build to which an objective or a limit refers.
 template <class Wanted>
 [[nodiscard]] const simulation::ResultQuantity& of_one_build(const Wanted& wanted) {
   return wanted.of_build ? *wanted.of_build : wanted.quantity;
@@ -143,30 +144,30 @@ struct ShareOfLimit {
   double share{};  ///< > 0
 };
 
-/// What to search for: which numbers of a design vary, its objectives, its limits.
+/// The question of a search: the numbers of a design that vary, its objectives and its limits.
 struct Study {
   std::string name;
   actuator::Design base;  ///< actuator with its calibration; variables are set on a copy of it
   std::variant<VariedCurrent, FixedCurrent, ShareOfLimit, DrivenCurrent> current;
-  /// How it is driven and used; of its current, and of its duty where it is driven, `current` decides. Its `cases`
-  /// count as they stand: poses_of_use() has those that the study asks for.
+  /// How the designs are driven and used. `current` decides the current, and the duty if that is driven. `cases` are as
+  /// stated; poses_of_use() gives those that the study asks for.
   actuator::OperatingPoint operating{};
   std::vector<StudyVariable> variables;
   std::vector<StudyObjective> objectives;
   std::vector<Limit> limits;
   SearchOptions search;
-  /// Designs that a search evaluates right after the study's own actuator: each a coordinate for each variable.
+  /// Designs that a search evaluates right after the study's own actuator, each a coordinate for each variable.
   std::vector<std::vector<double>> starts{};
-  /// What builds differ by, where the study says so; its statistics are among the quantities.
+  /// The scatter between builds, if the study states one; its statistics are among the quantities.
   std::optional<Spread> spread{};
-  /// What pulses its current, where the study says so: no design has a performance whose current it cannot give.
+  /// The pulsed supply, if the study states one. A design whose current it cannot give has no performance.
   std::optional<StudyDriver> driver{};
-  /// All quantities that results list. Each is worked out for every design.
+  /// All quantities that results list. Each is computed for every design.
   simulation::QuantityTable quantities = simulation::standard_quantities();
 };
 
-/// The poses that a study's objectives and limits are figures of, and in which it is therefore held: one that asks for
-/// a speed and for no grasp force is of the free finger alone. Both where none of its quantities has a pose.
+/// The poses to which a study's objectives and limits belong, and in which it is therefore held: that of the free
+/// finger alone for a study that asks for a speed and no grasp force. Both poses if none of its quantities has one.
 [[nodiscard]] actuator::HeldCases poses_of_use(const Study& study);
 
 }  // namespace coilwright::sizing

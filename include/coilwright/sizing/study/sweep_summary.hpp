@@ -13,8 +13,8 @@
 
 namespace coilwright::sizing {
 
-/// Which designs of a sweep are kept as rows. Of the others there are counts, the best of each configuration and what
-/// each quantity is over all of them.
+/// The designs of a sweep that are kept as rows. For the others there are counts, the best of each configuration and
+/// statistics of each quantity.
 enum class Keep {
   all,
   feasible,  ///< those that keep every limit
@@ -22,13 +22,13 @@ enum class Keep {
   best       ///< none but the best of each configuration
 };
 
-/// Each by its word in options and results.
+/// The word of each in options and results.
 inline constexpr std::array<std::pair<std::string_view, Keep>, 4> keep_words = {
     {{"all", Keep::all}, {"feasible", Keep::feasible}, {"front", Keep::front}, {"best", Keep::best}}};
-/// "all", "feasible", "front", "best".
+/// The word of a choice: "all", "feasible", "front", "best".
 [[nodiscard]] std::string_view name_of(Keep keep);
 
-/// What a quantity is over the designs of a sweep that have a value of it, in its unit.
+/// Statistics of a quantity over the designs of a sweep that have a value of it, in its unit.
 struct QuantityTotal {
   std::size_t designs{};  ///< how many have one
   ExactSum sum{};         ///< of their values
@@ -46,27 +46,27 @@ struct SweepTotals {
   std::vector<QuantityTotal> quantities{};  ///< in the order of the study's table; empty where all rows are kept
 };
 
-/// What is left of the designs of a sweep, taken in one by one in their order; its memory is that of the best of each
-/// configuration and, with Keep::front, of the front. What parts of a sweep left, taken in in the order of the parts,
-/// gives the bits of the whole.
+/// The summary of a sweep, which takes in its designs one by one in their order. Its memory holds the best of each
+/// configuration and, with Keep::front, the front. Summaries of parts of a sweep, taken in in the order of the parts,
+/// give the bits of the whole.
 class SweepSummary {
  public:
-  /// Of no design yet. Keeps a copy of the problem.
+  /// Starts without a design and copies the problem.
   SweepSummary(const DesignProblem& problem, Keep keep);
 
-  /// Takes in the next design.
+  /// Considers the next design.
   void consider(const SweptDesign& design);
-  /// Takes in a part of the sweep: its totals and what kept() has of it.
+  /// Considers a part of the sweep: its totals, and the designs of its kept().
   void consider(const SweepTotals& totals, std::span<const SweptDesign> kept);
 
-  /// Whether a design is one of the rows as it comes; of Keep::front that is known at the end.
+  /// Whether a design is one of the rows when it arrives; with Keep::front that is known only at the end.
   [[nodiscard]] bool is_row(const SweptDesign& design) const;
 
   [[nodiscard]] const SweepTotals& totals() const noexcept { return totals_; }
   [[nodiscard]] const Leaders& leaders() const noexcept { return leaders_; }
   /// The front so far, by index; of equal designs the first one. Empty unless Keep::front.
   [[nodiscard]] const std::vector<SweptDesign>& front() const noexcept { return front_; }
-  /// Leaders and front, each design once, by index: all that consider() needs of a part.
+  /// Leaders and front, each design once, by index: all designs of a part that consider() needs.
   [[nodiscard]] std::vector<SweptDesign> kept() const;
 
  private:

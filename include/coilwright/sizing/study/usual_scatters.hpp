@@ -7,21 +7,21 @@
 
 namespace coilwright::sizing {
 
-/// How an actuator is built from bought parts.
+/// The method by which an actuator is built from bought parts.
 enum class Making {
   printed,  ///< cast in printed moulds: "usual"
   by_hand   ///< moulds, cores and the cut made and set by hand: "by_hand"
 };
 
-/// How a number of an actuator scatters where it is built in one of these ways.
+/// The usual scatter of a number of an actuator that is built by one of these methods.
 struct UsualScatter {
   Scatter scatter;          ///< of one build about what was designed
   std::string_view source;  ///< where the figure is from, or that it is assumed
 };
 
-/// One row a number, of actuator::number_widths() and of what each joint or magnet has by itself; `coilwright list
-/// spreads` prints them. `"parts": "usual"` or `"by_hand"` of a study's spread takes those of the whole actuator: what
-/// each part has by itself, most_parts(), has to be named.
+/// One row for each of actuator::number_widths() and for each number of single joints or magnets; `coilwright list
+/// spreads` prints them. `"parts": "usual"` or `"by_hand"` of a study's spread takes those of the whole actuator;
+/// numbers with most_parts() have to be named.
 [[nodiscard]] std::span<const UsualScatter> usual_scatters(Making making = Making::printed);
 
 }  // namespace coilwright::sizing

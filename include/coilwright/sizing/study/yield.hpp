@@ -23,38 +23,38 @@ struct Share {
   double high{};
 };
 
-/// What a quantity of a study is in the builds of one design.
+/// A quantity of a study in the builds of one design.
 struct BuiltQuantity {
   std::string name;                 ///< of one build: "grasp_force_N"
   std::optional<double> nominal{};  ///< of the design itself
   std::optional<double> p05{}, p50{}, p95{};
   std::string limit{};           ///< "mass_g <= 70"; empty for an objective
   std::optional<Share> keeps{};  ///< of the builds that keep that limit; nothing for an objective
-  /// What the study asks of that share by a percentile: 0.95 of "p95_mass_g <= 70"; nothing of another limit.
+  /// The share that the study asks for by a percentile: 0.95 for "p95_mass_g <= 70"; absent for another limit.
   std::optional<double> asked{};
-  /// Share of its uses in which a build keeps it, if it does: 1 is all. Nothing where each build is looked at in the
+  /// Share of its uses in which a build must keep the limit to count; 1 for all. Absent if each build is judged in the
   /// one use that its dice gave.
   std::optional<double> of_uses{};
 
-  /// Whether fewer builds keep the limit than is asked for, beyond the error of the dice.
+  /// Whether fewer builds keep the limit than the study asks for, beyond the error of the dice.
   [[nodiscard]] bool falls_short() const { return keeps && asked && keeps->high < *asked; }
 };
 
-/// What one scatter of the spread, or those that move together, does to each quantity and to the yield.
+/// The effect of one scatter of the spread, or of a group of correlated ones, on each quantity and on the yield.
 struct ScatterWorth {
   std::string scatter;  ///< its name, or that of those that move together
-  /// One a quantity, in their order; nothing where a quantity does not vary or some build lacks it.
+  /// Indices, one for each quantity, in their order; absent if a quantity does not vary or some build lacks it.
   std::vector<std::optional<SobolIndex>> first{}, total{};
   Share keeps_all{};  ///< of builds in which it deviates half as far, by the same dice
 };
 
-/// What builds without a value of all that is asked fail by.
+/// A cause for which builds lack a requested value.
 struct FailureCause {
   std::string reason;  ///< its first words, ".." for numbers: "the driver cannot give the current: raise .."
   std::size_t builds{};
 };
 
-/// What becomes of a design when it is built.
+/// The statistics of the builds of a design.
 struct Yield {
   std::size_t builds{};
   std::size_t not_built{};               ///< without a performance, as one whose driver cannot give the current
@@ -65,7 +65,7 @@ struct Yield {
   std::size_t worths_left{};           ///< scatters whose worth was asked for and not worked out: it was stopped
 };
 
-/// How builds are drawn.
+/// Settings of a yield.
 struct YieldOptions {
   std::size_t builds = 1000;     ///< by fresh dice, which know nothing of those of a search; >= 10
   std::size_t worth_builds = 0;  ///< of every sum of a Sobol index and of every halved scatter; 0: no worths
@@ -75,11 +75,12 @@ struct YieldOptions {
   std::function<void(std::size_t done, std::size_t of)> progress{};  ///< on any thread; may be empty
 };
 
-/// Builds a design of `study` many times: its objectives, its limits and the thermal load with its driver's ripple,
-/// what holds in every use in the worst of its uses, all else in one use by dice. Of a limit or an objective on a
-/// statistic ("p95_coil_hot_spot_degC <= 130") each build is held against the limit itself, of one on a mean or a
-/// deviation none is. After a stop it is of the builds made so far, with the worths whose builds were all made; nothing
-/// where none was made. Throws std::invalid_argument for a study without a spread.
+/// Builds a design of `study` many times and gives its objectives, its limits and the thermal load with its driver's
+/// ripple. Quantities that hold in every use are taken in the worst of the uses of a build, all others in one use by
+/// dice. For a limit or an objective on a percentile ("p95_coil_hot_spot_degC <= 130") each build is compared with the
+/// limit itself, for one on a mean or a deviation none is. After a stop the result covers the builds made so far, with
+/// the worths whose builds were all made; absent if none was made. Throws std::invalid_argument for a study without a
+/// spread.
 [[nodiscard]] std::optional<Yield> yield_of(const Study& study, const EvaluatedDesign& design,
                                             const YieldOptions& options);
 
@@ -90,15 +91,14 @@ struct Build {
   std::string failure{};                        ///< the first words of why it lacks one; empty where it has all
 };
 
-/// A yield in parts: all builds of builds_in() over ranges that cover builds_of() give yield_from() the bits of
-/// yield_of(). Each throws as yield_of(), yield_from() also for another number of builds.
-///@{
-/// How many builds a yield makes, those of its worths included.
+/// A yield in parts: the builds of builds_in() over ranges that cover builds_of() give yield_from() the bits of
+/// yield_of(). Each throws as yield_of(), and yield_from() also for another number of builds. @{ Number of builds of a
+/// yield, including those for its worths.
 [[nodiscard]] std::size_t builds_of(const Study& study, const YieldOptions& options);
-/// Some of them; nothing after a stop.
+/// The builds of a range; absent after a stop.
 [[nodiscard]] std::optional<std::vector<Build>> builds_in(const Study& study, const EvaluatedDesign& design,
                                                           const YieldOptions& options, const IndexRange& range);
-/// The yield from all of them.
+/// The yield from all builds.
 [[nodiscard]] Yield yield_from(const Study& study, const EvaluatedDesign& design, const YieldOptions& options,
                                std::span<const Build> builds);
 ///@}

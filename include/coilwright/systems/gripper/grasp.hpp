@@ -10,7 +10,7 @@
 
 namespace coilwright::systems::gripper {
 
-/// What a gripper is asked to do with an object.
+/// The load and the currents of a grasp.
 struct GraspTask {
   double current{};       ///< in every coil of all fingers, A, from t = 0; finite
   double open_current{};  ///< before that, while the object is put between them, A; below zero it opens them; finite
@@ -19,7 +19,7 @@ struct GraspTask {
   bool find_capacity = true;  ///< whether to go on loading until the object is lost
 };
 
-/// Where a finger presses on the object.
+/// A place where a finger presses on the object.
 struct GraspContact {
   int finger{};              ///< 0 left, 1 right
   int link{};                ///< -1 is the base segment
@@ -29,7 +29,7 @@ struct GraspContact {
   double friction{};         ///< N, upwards along the face of the object > 0
 };
 
-/// How a grasp went.
+/// The result of a grasp.
 struct Grasp {
   bool holds{};              ///< the load was still held, at rest, 0.2 s after it was reached
   bool both_touched{};       ///< both fingers reached the object
@@ -47,42 +47,42 @@ struct Grasp {
   [[nodiscard]] double margin() const { return load > 0.0 ? capacity / load : 0.0; }
 };
 
-/// How well an object is held, as one number that grows all the way from out of reach to held firmly: for searches.
-/// From 0 on it is held, and this is capacity over load less one. Between -1 and 0 it slips: the same, at most -0.01.
-/// Below -1 a finger does not reach it: -1 less what is missing over the object's width.
+/// A measure of how well an object is held that grows from out of reach to held firmly, for searches. From 0 on the
+/// object is held, and the measure is capacity over load less one. Between -1 and 0 it slips: the same, but at most
+/// -0.01. Below -1 a finger does not reach it: -1 less the missing distance over the object's width.
 [[nodiscard]] double holding_margin(const Grasp& grasp, const Object& object);
 
-/// The open fingers leave no room for the object, or more than two leave each other none.
+/// The open fingers leave no room for the object, or more than two fingers leave each other none.
 class NoRoom : public std::invalid_argument {
  public:
-  /// With an overlap > 0, m, and what() to say.
+  /// An error with an overlap > 0, m, and the text of what().
   NoRoom(double overlap, const std::string& text) : std::invalid_argument(text), overlap_(overlap) {}
-  /// m
+  /// The overlap, m.
   [[nodiscard]] double overlap() const noexcept { return overlap_; }
 
  private:
   double overlap_;
 };
 
-/// Closes on an object that stands on a smooth support, takes the support away, loads it with its weight and the
-/// acceleration within 0.3 s, holds for 0.2 s, and loads on until it is lost. Rigid segments and object, dry friction
-/// by Moreau and Jean's time stepping, first order in the step.
+/// Closes fingers on an object that stands on a smooth support, removes the support, loads the object with its weight
+/// and the acceleration within 0.3 s, holds for 0.2 s, and increases the load until the object is lost. Segments and
+/// object are rigid; dry friction is computed by Moreau and Jean's time stepping, first order in the step.
 ///
-/// More than two fingers do all the same, and the object rises, sinks and turns as between two of them that carry
-/// their share of it: it has to be round about the gripper's axis and on it. Contacts are those of two; load and
-/// capacity those of all. That a ball could roll out between three fingers is not seen.
+/// More than two fingers all move alike, and the object moves as between two of them that carry their share of it; it
+/// has to be round about the gripper's axis and on it. Contacts are those of two fingers; load and capacity those of
+/// all. An object that could roll out between three fingers is not detected.
 ///
 /// Throws std::invalid_argument for a task or an object that breaks a rule, NoRoom for an object that the open fingers
-/// touch, or fingers that meet their neighbours around it; std::runtime_error if they find no rest.
+/// touch, or fingers that meet their neighbours around it; std::runtime_error if the fingers find no rest.
 [[nodiscard]] Grasp grasp(const Gripper& gripper, const Object& object, const GraspTask& task);
 
-/// The least current, A, up to `most`, with which the object is held, to 0.5 %; nothing if `most` does not hold it, and
-/// 0 where the fingers hold it without current. `task.current` is not read.
+/// The least current, A, up to `most`, that holds the object, to 0.5 %; absent if `most` does not hold it, and 0 if the
+/// fingers hold it without current. `task.current` is not used.
 [[nodiscard]] std::optional<double> least_current(const Gripper& gripper, const Object& object, GraspTask task,
                                                   double most);
 
-/// The least coefficient of friction, up to `most`, with which the task's current holds the object, to 0.5 %; nothing
-/// if `most` does not. The object's own is not read.
+/// The least coefficient of friction, up to `most`, with which the task's current holds the object, to 0.5 %; absent if
+/// `most` does not hold it. The object's own coefficient is not used.
 [[nodiscard]] std::optional<double> least_friction(const Gripper& gripper, Object object, const GraspTask& task,
                                                    double most);
 

@@ -14,13 +14,13 @@
 
 namespace coilwright::systems::gripper {
 
-/// The least of something with which an object is held.
+/// The least value of a number with which an object is held.
 struct LeastToHold {
   double most{};                  ///< up to which it was looked for
   std::optional<double> found{};  ///< nothing: not even the most holds it
 };
 
-/// What becomes of an object between fingers, and of the fingers: what `grip` prints.
+/// The answer of `grip`: the state of the object and of the fingers.
 struct GripAnswer {
   Mounting mounting{};
   Object object{};
@@ -31,41 +31,41 @@ struct GripAnswer {
   double cost{};                   ///< US$, of the gripper with driver and supply
   double burns_from{};             ///< A: from this current on a finger bent like that has no steady temperature
   std::optional<simulation::Heat> heat{};  ///< of one finger at the pose of the hold
-  /// Of a straight finger's magnets at 20 degC; nothing where they have no grade.
+  /// Demagnetisation of a straight finger's magnets at 20 degC; absent if they have no grade.
   std::optional<actuator::Demagnetisation> magnets_cold{};
-  /// The same at the temperatures of a hold without end; nothing where it has none either.
+  /// Demagnetisation at the temperatures of a hold without end; absent if there are none.
   std::optional<actuator::Demagnetisation> magnets_held{};
   std::optional<LeastToHold> least_current{};   ///< A; nothing: not asked for
   std::optional<LeastToHold> least_friction{};  ///< coefficient; nothing: not asked for
 
-  /// Whether a finger bent like that has no steady temperature at this current.
+  /// Whether a finger in that pose has no steady temperature at this current.
   [[nodiscard]] bool burns() const { return std::abs(current) >= burns_from; }
 
-  /// Whether the coils' field takes the magnets' strength for good before they warm up.
+  /// Whether the coils' field demagnetises the magnets for good before they warm up.
   [[nodiscard]] bool is_demagnetised() const { return magnets_cold && magnets_cold->margin < 0.0; }
 
-  /// What a person is told of where the fingers press: of more than two, which do all the same, one stands for all.
+  /// The contacts that are reported: of more than two fingers, which all move alike, one stands for all.
   [[nodiscard]] std::vector<GraspContact> told_contacts() const {
     std::vector<GraspContact> told = grasp.contacts;
     if (mounting.fingers > 2) std::erase_if(told, [](const GraspContact& each) { return each.finger != 0; });
     return told;
   }
 
-  /// "left" or "right"; of more than two fingers "each".
+  /// The name of a contact's finger: "left" or "right"; "each" for more than two fingers.
   [[nodiscard]] std::string_view finger_name(const GraspContact& contact) const {
     if (mounting.fingers > 2) return "each";
     return contact.finger == 0 ? "left" : "right";
   }
 };
 
-/// What is asked of a grip beside the task; 0: not asked for.
+/// Further questions about a grip; 0: not asked.
 struct GripSearch {
   double most_current{};   ///< A, up to which the least one that holds is looked for
   double most_friction{};  ///< coefficient, likewise
 };
 
-/// Closes fingers of `design` that hang as `mounting` says on the object, lifts it, loads it until it slips, and says
-/// what that does to coils and magnets. `supply` drives one finger. Throws as Gripper and grasp().
+/// Closes fingers of `design` that hang as `mounting` says on the object, lifts it, loads it until it slips, and
+/// computes the heat of coils and magnets. `supply` drives one finger. Throws as Gripper and grasp().
 [[nodiscard]] GripAnswer grip(const actuator::Design& design, const Mounting& mounting, const Object& object,
                               const GraspTask& task, const actuator::Supply& supply, const GripSearch& search);
 

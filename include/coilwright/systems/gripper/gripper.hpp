@@ -9,14 +9,14 @@
 
 namespace coilwright::systems::gripper {
 
-/// How the magnets of the second finger are built in, seen from the first.
+/// Polarity of the second finger's magnets relative to the first's.
 enum class Polarity {
   same,     ///< identical fingers: facing each other, their magnets repel
   opposite  ///< every second finger's coils and magnets are all turned: two that face each other attract, currents act
             ///< alike
 };
 
-/// How like fingers are mounted.
+/// Places and angles at which like fingers are mounted.
 struct Mounting {
   double angle{};    ///< of each straight finger with the gripper's axis, outwards, rad; between -pi/2 and pi/2
   double spacing{};  ///< diameter of the circle on which the base joints lie, of two fingers their distance, m; > 0
@@ -33,44 +33,44 @@ struct FingerMagnet {
 
 /// Fingers that hang from a palm and close towards its axis, each in a plane through it.
 ///
-/// The first is left, at x = -spacing/2, the second of two is its mirror image. More than two stand evenly round the
-/// axis and do all the same: what is said of the left one is said of each. The gripping face of each segment is the
-/// lower side of the bottom layer, half its thickness from the hinge line, as wide as the finger.
+/// The first is left, at x = -spacing/2; the second of two is its mirror image. More than two stand evenly round the
+/// axis and all move alike; statements about the left one apply to each. The gripping face of each segment is the lower
+/// side of the bottom layer, half its thickness from the hinge line, as wide as the finger.
 class Gripper {
  public:
-  /// Throws std::invalid_argument for a mounting that breaks its rule, a design that cannot be built (naming the first
-  /// fault), or one with effects that have states of their own.
+  /// Makes the gripper. Throws std::invalid_argument for a mounting that breaks its rule, a design that cannot be built
+  /// (naming the first fault), or one with effects that have states of their own.
   Gripper(const actuator::Design& finger, const Mounting& mounting);
 
   /// The left finger, its base turned by the mounting angle.
   [[nodiscard]] const actuator::Model& finger() const noexcept { return assembly_.model; }
-  /// What that finger was assembled from.
+  /// The assembly of that finger.
   [[nodiscard]] const actuator::Assembly& assembly() const noexcept { return assembly_; }
-  /// As given.
+  /// The mounting as given.
   [[nodiscard]] const Mounting& mounting() const noexcept { return mounting_; }
   [[nodiscard]] double gravity() const noexcept { return finger().chain().gravity(); }  ///< m/s^2
   [[nodiscard]] double face_offset() const noexcept { return face_offset_; }  ///< hinge line to gripping face, m
-  /// Where the gripping face of a link begins and ends along it, m; link -1 is the base segment.
+  /// Begin and end of the gripping face along a link, m; link -1 is the base segment.
   struct Face {
     double begin{}, end{};  ///< m
   };
-  /// Of a link of the finger, -1 to joints() - 1.
+  /// The face of a link of the finger, -1 to joints() - 1.
   [[nodiscard]] Face face(int link) const;
-  /// Of one finger, base first.
+  /// The magnets of one finger, base first.
   [[nodiscard]] const std::vector<FingerMagnet>& magnets() const noexcept { return magnets_; }
 
-  /// How deep the sides of neighbouring fingers are in each other at these joint angles, m; negative: what is left
-  /// between them. Of two fingers, which face each other, minus infinity.
+  /// Overlap of the sides of neighbouring fingers at these joint angles, m; negative: the gap between them. Minus
+  /// infinity for two fingers, which face each other.
   [[nodiscard]] double overlap_of_neighbours(const mechanics::JointVector& angles) const;
 
-  /// What the magnets of the other fingers do to a finger.
+  /// Load of a finger by the magnets of the other fingers.
   struct Pull {
     mechanics::JointVector left, right;  ///< torques on the joints, N m
     double largest_force{};              ///< between two of the magnets, N
   };
-  /// At these joint angles, rad. Of more than two fingers all others are bent as the one that is asked for. Exact for
-  /// the magnets; coils on the other finger's magnets are left out (in the prototype at 1.4 A a coil's moment is 4 % of
-  /// a magnet's).
+  /// The load at these joint angles, rad. Of more than two fingers all others are bent like the one in question. Exact
+  /// for the magnets; coils on the other finger's magnets are left out (in the prototype at 1.4 A a coil's moment is 4
+  /// % of a magnet's).
   [[nodiscard]] Pull magnet_torques(const mechanics::JointVector& left, const mechanics::JointVector& right) const;
 
  private:

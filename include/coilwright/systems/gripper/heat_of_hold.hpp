@@ -8,8 +8,8 @@
 
 namespace coilwright::systems::gripper {
 
-/// The heat of one finger, the left, bent as in this grasp against a wall; nothing if it has no performance there.
-/// `finger` is the design that the gripper was made of; of the point current and duty count.
+/// The heat of one finger, the left, bent as in this grasp against a wall; absent if it has no performance there.
+/// `finger` is the design of the gripper; current and duty of the point count.
 [[nodiscard]] std::optional<simulation::Heat> heat_of_hold(const actuator::Design& finger, const Gripper& gripper,
                                                            const Grasp& grasp, const actuator::OperatingPoint& point);
 

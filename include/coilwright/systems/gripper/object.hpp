@@ -5,7 +5,7 @@
 
 namespace coilwright::systems::gripper {
 
-/// What an object is to the plane in which two fingers close.
+/// Shape of an object in the plane in which two fingers close.
 enum class ObjectShape {
   sphere,
   cylinder,  ///< its axis lies across the plane
@@ -13,10 +13,10 @@ enum class ObjectShape {
   upright_cylinder  ///< a cup: its axis is that of the gripper
 };
 
-/// "sphere", "cylinder", "box", "upright_cylinder".
+/// The word of a shape: "sphere", "cylinder", "box", "upright_cylinder".
 [[nodiscard]] std::string_view name_of(ObjectShape shape);
 
-/// What a gripper is to lift: rigid, moved in the plane of the fingers only.
+/// An object for a gripper: rigid, and moved only in the plane of the fingers.
 struct Object {
   ObjectShape shape = ObjectShape::sphere;
   double width{};     ///< between the fingers: diameter, or width of a box, m; finite, > 0
@@ -27,17 +27,17 @@ struct Object {
   /// joints, below zero for an object below the palm.
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();
 
-  /// Whether its section in the plane is a rectangle, and not round.
+  /// Whether its section in the plane is a rectangle instead of a circle.
   [[nodiscard]] bool has_flat_sides() const {
     return shape == ObjectShape::box || shape == ObjectShape::upright_cylinder;
   }
-  /// Whether it is the same from all sides of the gripper's axis: what more than two fingers can hold alike.
+  /// Whether it is rotationally symmetric about the gripper's axis, so that more than two fingers can hold it alike.
   [[nodiscard]] bool is_round_about_the_axis() const {
     return (shape == ObjectShape::sphere || shape == ObjectShape::upright_cylinder) && centre.x() == 0.0;
   }
   /// Half its height, m.
   [[nodiscard]] double half_height() const { return 0.5 * (has_flat_sides() ? height : width); }
-  /// About its centre in the plane, of a homogeneous body, kg m^2.
+  /// Moment of inertia about its centre in the plane, for a homogeneous body, kg m^2.
   [[nodiscard]] double inertia() const;
 };
 

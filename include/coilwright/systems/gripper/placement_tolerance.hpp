@@ -7,8 +7,8 @@
 
 namespace coilwright::systems::gripper {
 
-/// How far the object and the fingers may be off, each way, in the order in which they are tried: m, and rad of the
-/// mounting angle (a quarter of a degree to 15 degrees).
+/// Deviations that are tried, each way, in this order: m for the object and the spacing, and rad for the mounting angle
+/// (a quarter of a degree to 15 degrees).
 inline constexpr std::array<double, 9> tried_lengths = {0.1e-3, 0.25e-3, 0.5e-3, 0.75e-3, 1e-3,
                                                         1.5e-3, 2e-3,    3e-3,   5e-3};
 inline constexpr std::size_t lengths_of_studies = 7;  // those up to 2 mm
@@ -16,14 +16,14 @@ inline constexpr std::array<double, 9> tried_angles = {0.004363323129985824, 0.0
                                                        0.03490658503988659,  0.05235987755982989,  0.08726646259971647,
                                                        0.1308996938995747,   0.17453292519943295,  0.2617993877991494};
 
-/// The largest of the tried deviations of one number up to which every one of them leaves the object held; 0 where the
-/// first of them loses it. The last one that is tried says that it may be more.
+/// The largest of the tried deviations of one number up to which each leaves the object held; 0 if the first one loses
+/// it. If it is the last one tried, the tolerance may be larger.
 struct Tolerance {
   double below{};  ///< of the number being smaller; >= 0
   double above{};  ///< of its being larger; >= 0
 };
 
-/// How far a grasp may be from what was planned before the object is lost, one number off at a time.
+/// Tolerances of a grasp against deviations from the plan, one number at a time.
 struct PlacementTolerance {
   Tolerance height;          ///< of the object's centre, m; above: nearer to the palm
   Tolerance width;           ///< of the object, m; its mass stays
@@ -34,15 +34,15 @@ struct PlacementTolerance {
   [[nodiscard]] double smallest_length() const;
 };
 
-/// Of an object that is held as planned; all 0 for one that is not. Each deviation is a grasp of its own, up to 72 of
-/// them; where the open fingers leave no room, the object is lost. Rigid segments and object: a deviation that puts a
-/// contact from one segment onto the next shows as the jump that it is. Throws as Gripper and grasp() do for the plan
-/// itself.
+/// Computes the tolerances for an object that is held as planned; all are 0 for one that is not. Each deviation is a
+/// grasp of its own, up to 72 of them; the object counts as lost if the open fingers leave no room. Segments and object
+/// are rigid, so a deviation that moves a contact onto the next segment shows as a jump. Throws as Gripper and grasp()
+/// do for the plan itself.
 [[nodiscard]] PlacementTolerance placement_tolerance(const actuator::Design& finger, const Mounting& mounting,
                                                      const Object& object, const GraspTask& task);
 
-/// The smallest of those of height, width and spacing, m, tried up to 2 mm, of an object that is held as planned: for
-/// searches; `gripper` is of that finger. Up to 42 grasps, the fewer the less is left. Throws as grasp().
+/// The smallest tolerance of height, width and spacing, m, up to 2 mm, for an object that is held as planned; for
+/// searches. `gripper` is of that finger. It takes up to 42 grasps, fewer for a small tolerance. Throws as grasp().
 [[nodiscard]] double length_tolerance(const actuator::Design& finger, const Gripper& gripper, const Object& object,
                                       const GraspTask& task);
 

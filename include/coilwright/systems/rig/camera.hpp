@@ -20,7 +20,7 @@ struct Camera {
   double offset = 0.7;                                      ///< of the sines, A; finite
 };
 
-/// What the current of a record does.
+/// Shape of the current of a record.
 enum class CameraInput { step, sine };
 
 /// One record as the camera would give it.
@@ -31,16 +31,16 @@ struct CameraRecord {
   std::vector<double> currents{};              ///< A, in every coil
   PerFidelity<std::vector<double>> bending{};  ///< shown bending angle, rad
 
-  /// "step_0.35A", "sine_10Hz".
+  /// The name of a record: "step_0.35A", "sine_10Hz".
   [[nodiscard]] std::string name() const;
 };
 
 /// Records of the steps, then of the sines, in their order. A sine starts at rest under its first current. Throws
-/// std::invalid_argument naming field, rule and value, std::runtime_error where the actuator has no pose to start from
-/// or its motion cannot be followed. Precondition: construction_faults(design) is empty.
+/// std::invalid_argument naming field, rule and value, std::runtime_error if the actuator has no pose to start from or
+/// its motion cannot be followed. Precondition: construction_faults(design) is empty.
 [[nodiscard]] std::vector<CameraRecord> readings(const actuator::Design& design, const Camera& camera);
 
-/// A record in a few numbers, rad and s.
+/// Figures that summarise a record, rad and s.
 struct ResponseFigures {
   double first{};         ///< at the first frame
   double last{};          ///< at the last frame
@@ -49,7 +49,7 @@ struct ResponseFigures {
   double late_mean{};     ///< over the last period of a sine, over the last tenth of a step
   double peak_to_peak{};  ///< likewise
 };
-/// Figures of what the camera shows by one fidelity.
+/// Figures of the record by one fidelity.
 [[nodiscard]] ResponseFigures figures(const CameraRecord& record, magnetics::Fidelity fidelity);
 
 /// Mean absolute difference of the two fidelities over the frames, rad.

@@ -15,7 +15,7 @@ struct GraspBench {
   actuator::GraspPoint grasp{};  ///< where the wall stands and where the finger touches it
 };
 
-/// What the sensor reads at one current.
+/// The reading of the sensor at one current, by both fidelities.
 struct GraspBenchPoint {
   double current{};               ///< A
   PerFidelity<double> force{};    ///< on the wall, N, >= 0; the sensor does not hold the finger back
@@ -23,7 +23,7 @@ struct GraspBenchPoint {
 };
 
 /// Readings at the bench's currents, in their order. Throws std::invalid_argument naming field, rule and value,
-/// std::runtime_error naming the current where the finger comes to rest nowhere on the wall. Precondition:
+/// std::runtime_error naming the current if the finger comes to rest nowhere on the wall. Precondition:
 /// construction_faults(design) is empty.
 [[nodiscard]] std::vector<GraspBenchPoint> readings(const actuator::Design& design, const GraspBench& bench);
 

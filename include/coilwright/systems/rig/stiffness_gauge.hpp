@@ -17,17 +17,17 @@ struct StiffnessGauge {
                                    ///< nothing: its tip
 };
 
-/// 15 to 90 degrees in steps of 15.
+/// The paper's settings: 15 to 90 degrees in steps of 15.
 [[nodiscard]] StiffnessGauge paper_stiffness_gauge();
 
-/// One reading.
+/// One reading of the gauge.
 struct StiffnessReading {
   double force{};      ///< of the gauge, N, positive where it pushes towards opening
   double stiffness{};  ///< equivalent coefficient: force times arm over angle, N m/rad
 };
 
-/// What the gauge reads at one angle. Without current the fidelities differ only in how magnets of one actuator act on
-/// each other.
+/// The reading of the gauge at one angle. Without current the fidelities differ only in the forces between magnets of
+/// the actuator.
 struct StiffnessPoint {
   double angle{};                           ///< rad
   PerFidelity<StiffnessReading> level{};    ///< the plane of bending level: no weight in the reading
@@ -52,7 +52,7 @@ struct StiffnessSpread {
   double mean{};       ///< N m/rad
   double deviation{};  ///< N m/rad
 };
-/// Over the points in the level or in the hanging posture.
+/// The spread over the points in the level or in the hanging posture.
 [[nodiscard]] StiffnessSpread spread(const StiffnessReadings& readings,
                                      PerFidelity<StiffnessReading> StiffnessPoint::*posture,
                                      magnetics::Fidelity fidelity);

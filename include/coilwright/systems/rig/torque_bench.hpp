@@ -20,26 +20,26 @@ struct TorqueBench {
 /// 7.5. Precondition: construction_faults(design) is empty.
 [[nodiscard]] TorqueBench paper_torque_bench(const actuator::Design& design);
 
-/// One reading. No weight is in it: the bench lies flat, or its gauge is balanced at each angle.
+/// One reading of the bench, without weight: the bench lies flat, or its gauge is balanced at each angle.
 struct TorqueReading {
   double torque{};       ///< about the hinge, N m, positive where it opens the joint
   double gauge_force{};  ///< that holds it, N
 };
 
-/// What the bench reads at one angle.
+/// The readings of the bench at one angle.
 struct TorqueBenchPoint {
   double angle{};  ///< rad
   PerFidelity<TorqueReading> reading{};
 
-  /// Torque by the line of centres over the exact one, minus one: by how much the approximation is wrong.
+  /// Relative error of the approximation: torque by the line of centres over the exact one, minus one.
   [[nodiscard]] double error_of_line_of_centres() const {
     return reading.line_of_centres.torque / reading.exact.torque - 1.0;
   }
 };
 
 /// The joint on the bench as a design of its own: the first coil and magnet that are neighbours, hinged at
-/// `axis_offset`, m, and of the effects those of drive and magnetics that it can have. Its torque is the bench's
-/// reading; its stiffness and masses mean nothing.
+/// `axis_offset`, m, with those effects of drive and magnetics that it can have. Its torque is the bench's reading; its
+/// stiffness and masses are meaningless.
 [[nodiscard]] actuator::Design rigid_counterpart(const actuator::Design& design, double axis_offset);
 
 /// Readings at the bench's angles, in their order. Throws std::invalid_argument naming field, rule and value, or with

@@ -5,7 +5,7 @@
 
 namespace coilwright::systems::validation {
 
-/// One number of the paper (or of its checked errata) beside the model's.
+/// One number of the paper, or of its checked errata, beside the model's.
 struct Comparison {
   std::string quantity;  ///< name, with the unit of both values at its end
   std::string source;    ///< where the reference stands
@@ -21,8 +21,8 @@ struct Comparison {
   [[nodiscard]] bool holds() const { return ratio() >= band_low && ratio() <= band_high; }
 };
 
-/// Every figure of the paper that the model can be held against: Tables I and II from geometry alone, then forces,
-/// angles, speeds and grasps of the calibrated finger, then what closing a known gap of the model changes.
+/// Every figure of the paper with which the model can be compared: Tables I and II from geometry alone, then forces,
+/// angles, speeds and grasps of the calibrated finger, then the effect of closing a known gap of the model.
 [[nodiscard]] std::vector<Comparison> compare_with_paper();
 
 }  // namespace coilwright::systems::validation

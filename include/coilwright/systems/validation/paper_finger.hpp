@@ -5,11 +5,12 @@
 
 namespace coilwright::systems::validation {
 
-/// The prototype soft finger of the Mag-Nets paper by its geometry alone, nothing measured: Tables I and II, and the
-/// paper's own conventions of modelling (paper_shells, line_of_centres, points on the axis, no contact in its range).
+/// The prototype soft finger of the Mag-Nets paper by its geometry alone, with nothing measured: Tables I and II, and
+/// the paper's own conventions of modelling (paper_shells, line_of_centres, points on the axis, no contact in its
+/// range).
 [[nodiscard]] actuator::Design paper_finger_geometry();
 
-/// What the paper measured on it: Table II, and the continuous current of its section VI.
+/// The paper's measurements of it: Table II, and the continuous current of its section VI.
 [[nodiscard]] actuator::Measured paper_finger_measured();
 
 /// The prototype with its measured values as calibration: configs/actuators/paper_finger.json.

@@ -11,7 +11,7 @@
 
 namespace coilwright::text {
 
-/// A column of somebody's table that is one of ours.
+/// A column of a table of another program that stands for one of ours.
 struct CsvColumn {
   std::string source{};  ///< its name in the file, or "#4": the fourth
   std::string name{};    ///< ours, with a unit: "current_mA"
@@ -24,7 +24,7 @@ struct CsvColumn {
 /// A point of a picture: two columns, each by name or position, or a fixed place in the unit of the positions.
 using CsvPoint = std::variant<std::array<std::string, 2>, std::array<double, 2>>;
 
-/// An angle from positions: that of the line from straight down, or from `against`, positive towards +x.
+/// An angle from positions: that of a line from straight down, or from the line `against`, positive towards +x.
 struct CsvMarkers {
   std::string name{};              ///< ours: "bending_angle_deg"
   std::array<CsvPoint, 2> line{};  ///< from, to
@@ -34,7 +34,7 @@ struct CsvMarkers {
   double offset{0.0};
 };
 
-/// How a table is laid out, as far as its reader is told. What is absent is found in the file.
+/// The layout of a table as far as it is stated; absent values are found in the file.
 struct CsvLayout {
   std::size_t skip_lines{0};              ///< which are not looked at; the names stand below
   std::optional<char> separator{};        ///< ' ': any number of blanks
@@ -46,10 +46,10 @@ struct CsvLayout {
   std::optional<double> sampling_rate{};  ///< Hz, > 0; of a file without a column of time
 };
 
-/// The position that "#4" names, from 0; nothing where the text is a name.
+/// The position that "#4" names, from 0; absent if the text is a name.
 [[nodiscard]] std::optional<std::size_t> position_in(std::string_view source) noexcept;
 
-/// Where the names and the numbers of a table are, as its first quarter of a megabyte shows.
+/// Positions of the names and the numbers in a table, found in its first quarter of a megabyte.
 struct CsvForm {
   char separator{','};
   char decimal{'.'};
@@ -61,20 +61,20 @@ struct CsvForm {
   std::size_t rows_at{0};                          ///< the byte at which it begins
   std::vector<std::vector<std::string>> sample{};  ///< fields of the first rows, of a table of numbers
 
-  /// Whether a column has nothing in any row of the sample.
+  /// Whether a column is empty in every row of the sample.
   [[nodiscard]] bool is_empty(std::size_t column) const;
 };
 
-/// Finds the form of a text. `whole`: whether it is all that the file has. A separator or decimal sign that `layout`
-/// gives is taken; the lines that it skips are not looked at. Throws InputError for what is no text in UTF-8 or
-/// Latin-1, has no line to read, or has numbers with commas that can mean two things.
+/// Finds the form of a text. `whole` tells whether the text is all of the file. A separator or decimal sign in `layout`
+/// is used, and its skipped lines are ignored. Throws InputError for a text that is not UTF-8 or Latin-1, has no line
+/// to read, or has numbers with commas that can mean two things.
 [[nodiscard]] CsvForm find_csv_form(std::string_view text, bool whole, const std::string& file,
                                     const CsvLayout& layout);
 
-/// The same of a file. Throws InputError also where it cannot be read.
+/// Finds the form of a file. Throws InputError also if it cannot be read.
 [[nodiscard]] CsvForm read_csv_form(const std::filesystem::path& path, const CsvLayout& layout = {});
 
-/// The bytes at the front of a file that its form is found from.
+/// Number of bytes at the front of a file from which its form is found.
 inline constexpr std::size_t csv_form_size = 1 << 18;
 
 }  // namespace coilwright::text

@@ -15,21 +15,21 @@
 
 namespace coilwright::text {
 
-/// A CSV file as it stands there, column by column: for tables in which texts and numbers are mixed. Not for inputs of
-/// a person, whose columns a CsvHeader checks.
+/// The fields of a CSV file, column by column, for tables that mix texts and numbers. Not for inputs of a person, whose
+/// columns a CsvHeader checks.
 class CsvTexts {
  public:
   [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }  ///< of the columns kept
   [[nodiscard]] std::size_t rows() const noexcept { return lines_.size(); }
   /// Whether a column of that name was kept.
   [[nodiscard]] bool has(std::string_view name) const;
-  /// The fields of a column, a text a row. Throws InputError where the file has none of that name that was kept.
+  /// The fields of a column, a text for each row. Throws InputError if no column of that name was kept.
   [[nodiscard]] const std::vector<std::string>& column(std::string_view name) const;
-  /// The field as a number; nothing where it is empty. Throws InputError where it is no finite number.
+  /// The field as a number; absent if it is empty. Throws InputError if it is no finite number.
   [[nodiscard]] std::optional<double> number(std::string_view name, std::size_t row) const;
-  /// The same where it must not be empty.
+  /// The field as a number, which must not be empty.
   [[nodiscard]] double required_number(std::string_view name, std::size_t row) const;
-  /// An error of the reader's own about the file as a whole.
+  /// An error of the reader about the file as a whole.
   [[nodiscard]] InputError error(std::string rule) const;
   /// An error about one field of it.
   [[nodiscard]] InputError error(std::string_view name, std::size_t row, std::string rule) const;
@@ -45,20 +45,20 @@ class CsvTexts {
   std::vector<std::uint32_t> lines_;  // of each row in the file
 };
 
-/// Reads the columns of a CSV file for which `keep` says yes; the first row is the header, and there need be no other.
-/// Throws InputError for a file that cannot be read, has no header or does not end with a line, as one that was cut,
-/// and naming the line of a row with another number of fields.
+/// Reads the columns of a CSV file for which `keep` returns true; the first row is the header, and no other row is
+/// required. Throws InputError for a file that cannot be read, has no header or does not end with a line end, as a
+/// truncated one, and names the line of a row with another number of fields.
 [[nodiscard]] CsvTexts read_csv_texts(const std::filesystem::path& path,
                                       const std::function<bool(std::string_view name)>& keep);
 
-/// The same row by row, for a table that need not fit into memory: `on_row` is given the fields of the columns that
-/// were kept, in the order of the names that are returned, and their line; they live as long as the call. Throws as
-/// read_csv_texts().
+/// Reads them row by row, for a table that need not fit into memory: `on_row` gets the fields of the kept columns, in
+/// the order of the returned names, and their line; they live as long as the call. Throws as read_csv_texts().
 std::vector<std::string> for_each_csv_row(
     const std::filesystem::path& path, const std::function<bool(std::string_view name)>& keep,
     const std::function<void(std::span<const std::string_view> fields, std::size_t line)>& on_row);
 
-/// The number in a field that may be empty, and otherwise must be a finite one. Throws InputError that names its place.
+/// The number in a field; absent if the field is empty. Throws InputError that names its place if it is no finite
+/// number.
 [[nodiscard]] std::optional<double> number_or_nothing(std::string_view field, const std::string& file, std::size_t line,
                                                       std::string_view column);
 

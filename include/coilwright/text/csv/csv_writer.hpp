@@ -12,13 +12,12 @@
 
 namespace coilwright::text {
 
-/// One cell of a CSV row: empty, a number or a text. A number is written with the fewest digits that read back as the
-/// same double, whatever the locale; it must be finite.
+/// One cell of a CSV row: empty, a number or a text. A number must be finite. It is written with the fewest digits that
+/// read back as the same double, whatever the locale.
 class CsvCell {
  public:
   CsvCell() = default;  ///< an empty cell: there is no value
-  /// A number or a text. A text is not copied: it must outlive the row.
-  ///@{
+  /// Makes a cell of a number or a text. A text is not copied and must outlive the row. @{
   CsvCell(double value) : content_(value) {}
   CsvCell(std::int64_t value) : content_(value) {}
   CsvCell(int value) : content_(static_cast<std::int64_t>(value)) {}
@@ -37,19 +36,19 @@ class CsvCell {
   std::variant<std::monostate, double, std::int64_t, std::string_view> content_;
 };
 
-/// Writes a CSV table row by row: what has been written is not kept. Columns carry their unit in their name, and the
-/// values are given in that unit. The stream must outlive the writer.
+/// Writes a CSV table row by row and keeps nothing. Names of columns carry their unit, and values are given in that
+/// unit. The stream must outlive the writer.
 class CsvWriter {
  public:
-  /// Writes the header. Throws std::invalid_argument when there is no column or a name is empty or there twice.
+  /// Writes the header. Throws std::invalid_argument if there is no column or a name is empty or occurs twice.
   CsvWriter(std::ostream& out, std::vector<std::string> columns);
 
-  /// Throws std::invalid_argument when the row has not one cell for each column or holds a number that is not finite.
-  /// The row is then not written. Whether the stream took it is for the stream's owner to ask.
+  /// Writes a row. Throws std::invalid_argument if the row has not one cell for each column or holds a number that is
+  /// not finite; it is then not written. The stream's owner checks whether the stream accepted it.
   void row(std::span<const CsvCell> cells);
-  /// The same for cells listed at the call.
+  /// Writes a row of cells that the call lists.
   void row(std::initializer_list<CsvCell> cells) { row(std::span(cells.begin(), cells.size())); }
-  /// A row of numbers.
+  /// Writes a row of numbers.
   void row(std::span<const double> values);
 
   [[nodiscard]] const std::vector<std::string>& columns() const noexcept { return columns_; }

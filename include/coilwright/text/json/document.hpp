@@ -20,17 +20,17 @@ inline constexpr std::size_t json_depth_limit = 64;         ///< arrays and obje
 /// A value without parts.
 using PlainValue = std::variant<bool, double, std::string>;
 
-/// A JSON text that has been read; the nodes it gives out are valid as long as it lives.
+/// A JSON text that has been read. Its nodes are valid as long as it lives.
 class Document {
  public:
   ~Document();
   Document(Document&&) noexcept;
   Document& operator=(Document&&) noexcept;
 
-  /// The value of the whole document.
+  /// The root value of the document.
   [[nodiscard]] Node root() const;
-  /// A copy with other values at some JSON pointers (RFC 6901): each must lead to a number, a text or true or false, or
-  /// to a key that its object does not have yet. Throws std::invalid_argument where one does not.
+  /// A copy with other values at some JSON pointers (RFC 6901). Each must lead to a number, a text, true or false, or
+  /// to a key that its object lacks. Throws std::invalid_argument if one does not.
   [[nodiscard]] Document with_values(const std::map<std::string, PlainValue>& values) const;
 
  private:
@@ -46,7 +46,7 @@ class Document {
 /// anything is read). Throws InputError.
 [[nodiscard]] Document read_json(const std::filesystem::path& path);
 
-/// The same for a text in memory; `file` is the name its errors carry.
+/// Parses JSON from a text in memory; errors call it `file`.
 [[nodiscard]] Document parse_json(std::string_view text, std::string file);
 
 }  // namespace coilwright::text

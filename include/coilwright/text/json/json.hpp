@@ -15,9 +15,9 @@
 
 namespace coilwright::text {
 
-/// A JSON value, to be written or as it was read (Document, Node): keys stay in the order in which they were set,
-/// numbers are written with the fewest digits that read back as the same double, and what is no JSON (NaN, Infinity, a
-/// key set twice) is refused.
+/// A JSON value, to be written or as it was read (Document, Node). Keys stay in the order in which they were set,
+/// numbers are written with the fewest digits that read back as the same double, and invalid JSON (NaN, Infinity, a key
+/// set twice) is refused.
 ///
 ///     auto result = Json::object({{"mass_g", 12.5}, {"binding", Json::array({"current_limit_A"})}});
 ///     result.set("joint_angles_deg", Json::numbers(angles));
@@ -27,7 +27,7 @@ class Json {
   using Member = std::pair<std::string, Json>;
   using Array = std::vector<Json>;     ///< its elements
   using Object = std::vector<Member>;  ///< in the order of the file
-  /// What a value can be. Numbers that were read are doubles.
+  /// The kinds of values. Numbers that were read are doubles.
   using Content = std::variant<std::nullptr_t, bool, double, std::string, Array, Object, std::int64_t>;
 
   Json() : content_(nullptr) {}  ///< null
@@ -48,27 +48,28 @@ class Json {
     if (value) *this = Json(*value);
   }
 
-  /// Throws std::invalid_argument when a key is there twice.
+  /// An object with these members. Throws std::invalid_argument if a key occurs twice.
   [[nodiscard]] static Json object(std::vector<Member> members = {});
   /// An array of these elements.
   [[nodiscard]] static Json array(std::vector<Json> elements = {});
   /// An array of numbers.
   [[nodiscard]] static Json numbers(std::span<const double> values);
-  /// An array with what `of` makes of each element of a range.
+  /// An array of the results of `of` for each element of a range.
   template <std::ranges::input_range Range, class Of = std::identity>
   [[nodiscard]] static Json list(const Range& range, Of of = {}) {
     Json out = array();
     for (const auto& each : range) out.add(Json(std::invoke(of, each)));
     return out;
   }
-  /// An SI value (a temperature: degrees Celsius) under a key that ends in its unit, in that unit.
+  /// A member with an SI value (a temperature: degrees Celsius) under a key that ends in its unit, converted to that
+  /// unit.
   [[nodiscard]] static Member quantity(std::string key, double value);
-  /// Several of them.
+  /// A member with several such values.
   [[nodiscard]] static Member quantities(std::string key, std::span<const double> values);
 
-  /// Adds a member to an object. Throws std::invalid_argument when the key is there already.
+  /// Adds a member to an object. Throws std::invalid_argument if the object has the key.
   Json& set(std::string key, Json value);
-  /// The same of a member made before: `set(Json::quantity("mass_g", mass))`.
+  /// Adds a member made before: `set(Json::quantity("mass_g", mass))`.
   Json& set(Member member) { return set(std::move(member.first), std::move(member.second)); }
   /// Adds an element to an array.
   Json& add(Json value);
@@ -76,19 +77,19 @@ class Json {
   [[nodiscard]] const Content& content() const noexcept { return content_; }  ///< What it holds.
   [[nodiscard]] Content& content() noexcept { return content_; }              ///< The same, to change.
 
-  /// The JSON text: two spaces a level, an array of plain values on one line if it fits, a line end at the end.
-  /// Text that is not UTF-8 has the replacement character in its place.
-  /// Throws std::invalid_argument with the JSON pointer of a number that is not finite.
+  /// The JSON text: two spaces for each level, an array of plain values on one line if it fits, a line end at the end.
+  /// Text that is not UTF-8 is replaced by the replacement character. Throws std::invalid_argument with the JSON
+  /// pointer of a number that is not finite.
   [[nodiscard]] std::string text() const;
 
  private:
   Content content_;
 };
 
-/// The number, or null where there is none or it is not finite.
+/// The number, or null if it is absent or not finite.
 [[nodiscard]] Json number_or_null(const std::optional<double>& value);
 
-/// The text, or null where it is empty.
+/// The text, or null if it is empty.
 [[nodiscard]] Json text_or_null(std::string_view text);
 
 }  // namespace coilwright::text

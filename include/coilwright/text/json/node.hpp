@@ -18,13 +18,12 @@
 
 namespace coilwright::text {
 
-/// How many elements an array must have.
+/// The number of elements that an array must have.
 struct Length {
   std::size_t least{0};
   std::size_t most{std::numeric_limits<std::size_t>::max()};
 
-  /// So many elements.
-  ///@{
+  /// Makes a length of this many elements. @{
   [[nodiscard]] static constexpr Length exactly(std::size_t count) { return {.least = count, .most = count}; }
   [[nodiscard]] static constexpr Length at_least(std::size_t count) { return {.least = count}; }
   [[nodiscard]] static constexpr Length from_to(std::size_t least, std::size_t most) {
@@ -33,9 +32,9 @@ struct Length {
   ///@}
 };
 
-/// One value of a JSON document and where it stands. A light view: valid as long as the Document lives.
-/// Every accessor throws InputError with file, JSON pointer, rule and value when the value is of another type or breaks
-/// the rule. Rules are in the unit of the file.
+/// One value of a JSON document, and its place. A light view, valid as long as the Document lives. Every accessor
+/// throws InputError with file, JSON pointer, rule and value if the value is of another type or breaks the rule. Rules
+/// are in the unit of the file.
 class Node {
  public:
   /// The kinds of JSON values.
@@ -46,19 +45,20 @@ class Node {
   [[nodiscard]] const Json& value() const noexcept { return *value_; }
   [[nodiscard]] bool is_null() const noexcept { return kind() == Kind::null; }
   [[nodiscard]] const std::string& file() const noexcept { return *file_; }
-  /// RFC 6901: `/variables/gap_mm/upper`; empty for the root.
+  /// The place of the value by RFC 6901: `/variables/gap_mm/upper`; empty for the root.
   [[nodiscard]] const std::string& pointer() const noexcept { return pointer_; }
-  /// The key under which the value stands; an array's elements have their array's.
+  /// The key of the value; elements of an array have the key of their array.
   [[nodiscard]] const std::string& key() const noexcept { return key_; }
 
-  /// A number as it is written: no unit is looked at.
+  /// The value as a plain number, without a unit.
   [[nodiscard]] double number(const Rule& rule = finite) const;
-  /// A number in the unit at the end of key(), given back in SI. The key must end in a unit of units::all_units().
+  /// The value as a number in the unit at the end of key(), returned in SI. The key must end in a unit of
+  /// units::all_units().
   [[nodiscard]] double quantity(const Rule& rule = finite) const;
-  /// A number in `unit`, given back in SI: for values whose unit stands in a key above them, such as
+  /// The value as a number in `unit`, returned in SI, for values whose unit stands in a key above them, as in
   /// {"gap_mm": {"lower": 2, "upper": 5}}.
   [[nodiscard]] double quantity_in(const units::Unit& unit, const Rule& rule = finite) const;
-  /// A whole number (10 and 10.0 are, 10.5 is not) that fits the type.
+  /// The value as a whole number that fits the type (10 and 10.0 are whole, 10.5 is not).
   template <class Integer = int>
   [[nodiscard]] Integer integer(const Rule& rule = finite) const {
     return static_cast<Integer>(whole_number(rule, static_cast<double>(std::numeric_limits<Integer>::min()),
@@ -68,10 +68,10 @@ class Node {
   [[nodiscard]] bool boolean() const;
   /// A text.
   [[nodiscard]] const std::string& text() const;
-  /// A name, which is printed, may be that of a file and stands in cells of tables: a text of one line without control
-  /// characters, which no spreadsheet takes for a formula.
+  /// The value as a name, which may be printed, name a file and stand in cells of tables: a text of one line without
+  /// control characters that no spreadsheet takes for a formula.
   [[nodiscard]] const std::string& name() const;
-  /// A path in the document, a name too: a relative one counts from the folder of the document.
+  /// The value as a path, to which the rules of a name apply; a relative one counts from the folder of the document.
   [[nodiscard]] std::filesystem::path path() const;
   /// One of the listed words.
   template <class Value>
@@ -100,14 +100,14 @@ class Node {
 
   /// The keys of an object, in the order of the file.
   [[nodiscard]] std::vector<std::string> keys() const;
-  /// The values of an object, in the order of the file: for objects whose keys are names.
+  /// The values of an object, in the order of the file, for objects whose keys are names.
   [[nodiscard]] std::vector<Node> members() const;
-  /// The value under `key` of an object; nothing when it is not there.
+  /// The value under `key` of an object; absent if there is none.
   [[nodiscard]] std::optional<Node> find(std::string_view key) const;
-  /// Throws when the value is not an object.
+  /// Throws if the value is not an object.
   void expect_object() const;
 
-  /// An error at this place, to be thrown by a reader with rules of its own; shows the value.
+  /// An error at this place that shows the value, for a reader with rules of its own.
   [[nodiscard]] InputError error(std::string rule) const;
   /// An error at this place that shows no value: `/coil: needs one of "current_A", "voltage_V"`.
   [[nodiscard]] InputError error_without_value(std::string rule) const;

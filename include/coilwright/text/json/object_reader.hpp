@@ -15,57 +15,56 @@
 
 namespace coilwright::text {
 
-/// The key that tells an editor which JSON Schema a document follows. No reader uses it, and no writer writes it.
+/// The key that tells an editor the JSON Schema of a document. Readers skip it, and writers do not write it.
 inline constexpr std::string_view schema_key = "$schema";
 
-/// A key for people in any object: a text beside the numbers that it is about, JSON having no comments. No reader uses
-/// it, and no writer writes it.
+/// A key for a remark in any object, because JSON has no comments. Readers skip it, and writers do not write it.
 inline constexpr std::string_view comment_key = "comment";
 
-/// Reads the keys of one JSON object, each asked for once, and at the end refuses the ones nobody asked for.
+/// Reads the keys of one JSON object, each requested once, and at the end refuses those that were not requested.
 ///
 ///     const auto coil = read_object(node, [](ObjectReader& in) {
 ///       return Coil::Spec{.radius = in.quantity("radius_mm", positive), .turns = in.integer("turns", at_least(1))};
 ///     });
 ///
-/// Each accessor throws InputError as Node does, and also when a required key is missing: a key of the same quantity
-/// with another unit is then named as the mistake (`unknown key "gap_m"; did you mean "gap_mm"?`).
+/// Each accessor throws InputError as Node does, and also if a required key is missing; a key of the same quantity with
+/// another unit is then named as the mistake (`unknown key "gap_m"; did you mean "gap_mm"?`).
 class ObjectReader {
  public:
-  /// Throws InputError when `node` is not an object.
+  /// Reads `node`. Throws InputError if it is not an object.
   explicit ObjectReader(Node node);
 
-  /// The value under a key that must be there.
+  /// The value under a required key.
   [[nodiscard]] Node at(std::string_view key);
-  /// The value under a key that may be absent.
+  /// The value under an optional key.
   [[nodiscard]] std::optional<Node> find(std::string_view key);
-  /// The same, but null counts as absent.
+  /// The value under an optional key; null counts as absent.
   [[nodiscard]] std::optional<Node> find_not_null(std::string_view key);
-  /// The value under the key, or under one that differs from it in the unit only: "h_m" where "h_mm" is asked for.
+  /// The value under the key, or under one that differs from it only in the unit: "h_m" if "h_mm" is requested.
   [[nodiscard]] std::optional<Node> find_in_any_unit(std::string_view key);
-  /// The same for a key that must be there.
+  /// The same for a required key.
   [[nodiscard]] Node at_in_any_unit(std::string_view key);
-  /// The one key of `keys` that is there. Throws when none or more than one is.
+  /// The one key of `keys` that the object has. Throws if it has none or more than one.
   [[nodiscard]] std::string one_of(std::initializer_list<std::string_view> keys);
 
   /// A number as it is written.
   [[nodiscard]] double number(std::string_view key, const Rule& rule = finite) { return at(key).number(rule); }
-  /// The same, or `otherwise` where the key is absent.
+  /// A number as it is written, or `otherwise` if the key is absent.
   [[nodiscard]] double number_or(std::string_view key, double otherwise, const Rule& rule = finite);
-  /// In SI, the unit being the key's.
+  /// A number in the unit of the key, returned in SI.
   [[nodiscard]] double quantity(std::string_view key, const Rule& rule = finite) { return at(key).quantity(rule); }
-  /// `otherwise` is in SI.
+  /// A number in the unit of the key, returned in SI; `otherwise`, which is in SI, if the key is absent.
   [[nodiscard]] double quantity_or(std::string_view key, double otherwise, const Rule& rule = finite);
-  /// A number as it is written; nothing where the key is absent.
+  /// A number as it is written, if the key exists.
   [[nodiscard]] std::optional<double> optional_number(std::string_view key, const Rule& rule = finite);
-  /// A number in SI; nothing where the key is absent.
+  /// A number in SI, if the key exists.
   [[nodiscard]] std::optional<double> optional_quantity(std::string_view key, const Rule& rule = finite);
   /// A whole number.
   template <class Integer = int>
   [[nodiscard]] Integer integer(std::string_view key, const Rule& rule = finite) {
     return at(key).integer<Integer>(rule);
   }
-  /// A whole number, or `otherwise` where the key is absent.
+  /// A whole number, or `otherwise` if the key is absent.
   template <class Integer = int>
   [[nodiscard]] Integer integer_or(std::string_view key, Integer otherwise, const Rule& rule = finite) {
     const auto node = find(key);
@@ -73,13 +72,13 @@ class ObjectReader {
   }
   /// A text.
   [[nodiscard]] std::string text(std::string_view key) { return at(key).text(); }
-  /// A text, or `otherwise` where the key is absent.
+  /// A text, or `otherwise` if the key is absent.
   [[nodiscard]] std::string text_or(std::string_view key, std::string otherwise);
-  /// The Node::name() under "name"; empty where the key is absent.
+  /// The Node::name() under "name"; empty if the key is absent.
   [[nodiscard]] std::string name();
   /// A path; a relative one counts from the folder of the document.
   [[nodiscard]] std::filesystem::path path(std::string_view key) { return at(key).path(); }
-  /// `{"format": "lumped-model/1"}`: the text must be this one.
+  /// Requires this text under the key: `{"format": "lumped-model/1"}`.
   void literal(std::string_view key, std::string_view expected);
 
   /// The value of one of the listed words.
@@ -91,7 +90,7 @@ class ObjectReader {
     for (const auto& [word, value] : words) legal.emplace_back(word);
     throw missing(key, legal);
   }
-  /// The value of one of the listed words, or `otherwise` where the key is absent.
+  /// The value of one of the listed words, or `otherwise` if the key is absent.
   template <class Value>
   [[nodiscard]] Value choice_or(std::string_view key, Value otherwise,
                                 std::initializer_list<std::pair<std::string_view, Value>> words) {
@@ -116,11 +115,11 @@ class ObjectReader {
     return at(key).vector(rule);
   }
 
-  /// The object itself: for errors of the reader's own, and for keys that are names (then claim them with at()).
+  /// The object itself, for errors of the reader's own, and for keys that are names (claim these with at()).
   [[nodiscard]] const Node& node() const noexcept { return node_; }
 
-  /// Throws InputError at the first key that was never asked for, suggesting the one that was probably meant. A text
-  /// under `comment_key` is accepted, and one under `schema_key` at the root of a document.
+  /// Throws InputError at the first key that was not requested, and suggests the one that was probably meant. Accepts a
+  /// text under `comment_key`, and one under `schema_key` at the root of a document.
   void finish() const;
 
  private:
@@ -132,8 +131,8 @@ class ObjectReader {
   std::set<std::string, std::less<>> asked_for_;
 };
 
-/// Reads an object by `read(ObjectReader&)` and then calls finish(). A std::invalid_argument out of a checking
-/// constructor becomes an InputError at the object.
+/// Reads an object by `read(ObjectReader&)` and then calls finish(). A std::invalid_argument of a checking constructor
+/// becomes an InputError at the object.
 template <class Read>
 auto read_object(const Node& node, Read&& read) {
   ObjectReader reader(node);

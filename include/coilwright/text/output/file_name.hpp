@@ -8,19 +8,19 @@
 
 namespace coilwright::text {
 
-/// Which of some names cannot be that of a file, and why.
+/// The first of some names that cannot be that of a file, and the reason.
 struct FileNameFault {
   std::size_t index{};
   std::string rule{};  ///< "must be a plain file name", ..
 };
 
-/// The rule for every name that comes from a person and becomes a file in a folder: one that no system reads as the way
-/// to another folder (no / and no \), or as the folder or what lies above it (. and ..), not empty, on one line without
-/// control characters. The rule that `name` breaks; nothing where it keeps all.
+/// Checks a name from a person that becomes a file in a folder. No system may read it as a path to another folder (no /
+/// and no \), or as the folder or its parent (. and ..); it must not be empty and must be one line without control
+/// characters. Returns the rule that `name` breaks; absent if it keeps all.
 [[nodiscard]] std::optional<std::string> fault_of_file_name(std::string_view name);
 
-/// The same for names that become files of one folder: of any two, capitals are not all that differs, as there are
-/// systems on which they are one file. The first fault; nothing where all can be written.
+/// Checks names that become files of one folder: also, two names must differ by more than capitals, because some
+/// systems take them for one file. Returns the first fault; absent if all can be written.
 [[nodiscard]] std::optional<FileNameFault> fault_of_file_names(std::span<const std::string> names);
 
 }  // namespace coilwright::text

@@ -4,12 +4,12 @@
 
 namespace coilwright::text {
 
-/// While it lives, no other process has this lock on the folder. It ends with the process, however that ends, and
+/// A lock on a folder that no other process can have at the same time. It ends with the process, however that ends, and
 /// leaves no file.
 class FolderLock {
  public:
-  /// Throws OutputError (preparing) where another process has it. Where the file system has no such locks, that
-  /// is said in a line on standard error.
+  /// Locks the folder. Throws OutputError (preparing) if another process has the lock. If the file system has no such
+  /// locks, a line on standard error says so.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

@@ -8,19 +8,20 @@
 
 namespace coilwright::text {
 
-/// What a program prints holds names and reasons from files of others, and a terminal obeys some of their characters.
-/// As long as this object lives, a stream shows them as escapes (`\x1b`), as one_line() does, but for line ends and
-/// tabs; one that leads to no terminal only those below a blank, so that JSON stays JSON. It takes no memory, so that
-/// it works where there is none.
+/// A filter of a stream for names and reasons that come from other people's files, because a terminal obeys some of
+/// their characters. As long as this object lives, the stream shows them as escapes (`\x1b`), as one_line() does,
+/// except line ends and tabs; a stream that leads to no terminal shows only those below a blank as escapes, so that
+/// JSON stays JSON. It allocates no memory, so it works when there is none.
 class PlainOutput : public std::streambuf {
  public:
-  /// `to_terminal`: whether `stream`, which must outlive this object, leads to one.
+  /// Filters `stream`, which must outlive this object; `to_terminal` tells whether it leads to a terminal.
   PlainOutput(std::ostream& stream, bool to_terminal);
   ~PlainOutput() override;
   PlainOutput(const PlainOutput&) = delete;
   PlainOutput& operator=(const PlainOutput&) = delete;
 
-  /// Where a stream leads past this: for a file on standard output, and for who moves in a line of the terminal.
+  /// The buffer of a stream behind this filter, for a file on standard output, and for code that moves within a line of
+  /// the terminal.
   [[nodiscard]] static std::streambuf* past(const std::ostream& stream);
 
  private:

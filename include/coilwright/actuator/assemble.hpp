@@ -15,7 +15,7 @@ struct CoilElectrics {
   double resistance{};     ///< at 20 degC, ohm, calibrated
   double inductance{};     ///< H
   double current_limit{};  ///< ampacity of the gauge by the design's choice, A: current_limit()
-  double table_limit{};    ///< its row in that table, A
+  double table_limit{};    ///< ampacity of its gauge in the chassis-wiring table, A
   double wire_length{};    ///< m
   double copper_mass{};    ///< kg
 };
@@ -29,7 +29,7 @@ struct Assembly {
   int coils{};
   int magnets{};
   double
-      rest_force_per_ampere{};  ///< of the first coil and magnet side by side, at angle 0, N/A, positive for repulsion
+      rest_force_per_ampere{};  ///< of the first coil and its magnet, coaxial, at angle 0, N/A, positive for repulsion
 
   /// All segments with the rear part, kg; wires not counted.
   [[nodiscard]] double mass() const;

@@ -9,9 +9,9 @@
 
 namespace coilwright::actuator {
 
-/// How far the magnets are from losing magnetisation for good. A margin is the share of the coercivity that the field
-/// leaves, 1 - |H| / HcJ, from 0 to 1. Where the magnet is demagnetised it is negative, HcJ / |H| - 1, with the same
-/// slope at 0, down to -1 where no coercivity is left.
+/// The distance of the magnets from losing magnetisation for good. A margin is the share of the coercivity that the
+/// field leaves, 1 - |H| / HcJ, from 0 to 1. Where the magnet is demagnetised it is negative, HcJ / |H| - 1, with the
+/// same slope at 0, down to -1 where no coercivity is left.
 struct Demagnetisation {
   double margin{};              ///< of the field's mean over the volume of the worst magnet; < 0: it is demagnetised
   double margin_worst_point{};  ///< of the worst point of any magnet's faces; the margin or less

@@ -12,13 +12,13 @@ namespace coilwright::actuator {
 /// end of what is known of it.
 struct OtherChoice {
   std::string_view subject;     ///< what it is: "damping of the joints", "remanence of the magnets"
-  std::string taken;            ///< how the design takes it, with its numbers
-  std::string otherwise;        ///< how `design` takes it
+  std::string taken;            ///< the way in which the design takes it, with its numbers
+  std::string otherwise;        ///< the way in which `design` takes it
   std::string_view settled_by;  ///< the measurement that decides between the two
-  Design design;              ///< the same parts under the other choice; what was measured on the prototype still holds
-  std::string_view source{};  ///< what makes the other way tenable
-  std::string_view number{};  ///< the parameter that differs; empty for a modelling choice
-  bool decided = false;       ///< whether its builder decides it, so that it is said and not measured
+  Design design;                ///< the same parts under the other choice; measured values of the prototype still hold
+  std::string_view source{};    ///< the reason why the other way is tenable
+  std::string_view number{};    ///< the parameter that differs; empty for a modelling choice
+  bool decided = false;         ///< whether the builder decides it, so that no measurement is needed
 };
 
 /// Returns one entry for each other tenable value of a modelling choice of `design`: the hinge law, the law of damping,

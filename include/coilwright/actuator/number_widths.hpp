@@ -8,29 +8,28 @@
 
 namespace coilwright::actuator {
 
-/// How well a number of a design is known if it was not measured on the built actuator, and how it scatters between
-/// builds.
+/// Uncertainty of a number of a design that was not measured on the built actuator, and its scatter between builds.
 struct NumberWidth {
   /// The unit of `least` and `greatest`.
   enum class In {
-    deviations,  ///< from the design's value, in the unit of the name
-    shares,      ///< deviations over the design's value
-    values       ///< the number itself, in the unit of the name, whatever the design has
+    deviations,  ///< relative to the design's value, in the unit of the name
+    shares,      ///< deviations as shares of the design's value
+    values       ///< values of the number itself, in the unit of the name
   };
 
   std::string_view name;        ///< of the parameter
-  std::string_view subject;     ///< what it is, for people; empty where `source` says why it has no width of its own
-  std::string_view source;      ///< what the width rests on, or that it is assumed
-  std::string_view settled_by;  ///< what a person does to know it
+  std::string_view subject;     ///< its meaning for people; empty if `source` says why it has no width of its own
+  std::string_view source;      ///< source of the width, or that it is assumed
+  std::string_view settled_by;  ///< the measurement or statement that settles it
   In in = In::shares;           ///< the meaning of the two ends
-  double least{};               ///< lower end; both 0 where `values` says all
+  double least{};               ///< lower end; both ends are 0 if `values` gives all
   double greatest{};            ///< upper end
   /// Scatter of one build about its design: the bound that makers and standards give, two standard deviations; 0 if all
   /// builds of a design have the same value. @{
   double printed{};  ///< a cast in printed moulds
-  double by_hand{};  ///< moulds, cores and the cut made and set by hand
+  double by_hand{};  ///< moulds, cores and the cut made by hand
   ///@}
-  bool decided = false;                   ///< the builder decides it, no measurement does
+  bool decided = false;                   ///< whether the builder decides it and no measurement does
   bool (*open)(const Design&) = nullptr;  ///< whether a design leaves it open; nullptr: always
   /// Returns the other values if they are not the two ends, in the unit of the name. nullptr: they are the ends.
   std::vector<double> (*values)(const Design&) = nullptr;

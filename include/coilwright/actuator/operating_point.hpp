@@ -9,7 +9,7 @@ struct GraspPoint {
   /// Bending angle at which the free finger would just touch the wall, rad, >= 0; each joint has the same share of it.
   /// At 0 the straight finger touches the wall.
   double opening = 0.0;
-  std::optional<double> height{};  ///< of the contact along the last segment, from its joint, m; nothing: its tip
+  std::optional<double> height{};  ///< of the contact along the last segment, from its joint, m; absent: its tip
 };
 
 /// Connection of the coils to one supply; each carries the operating point's current.
@@ -30,13 +30,13 @@ struct Supply {
 /// The poses in which an operating point is held, for heat.
 enum class HeldCases { both, free, gripping };
 
-/// How an actuator is driven and used. It is not part of a design, and travels with it in files.
+/// The drive and the use of an actuator. It is not part of a design, and travels with it in files.
 struct OperatingPoint {
   double current{};    ///< in every coil while on, A; finite
   double duty = 1.0;   ///< fraction of the time that it is on, 0 to 1, for heat only; periods short beside thermal ones
   GraspPoint grasp{};  ///< where grasp forces are taken
   std::optional<double> period{};     ///< of the duty cycle, s; finite, > 0; tells the ripple of temperature alone
-  HeldCases cases = HeldCases::both;  ///< whose heat counts where one figure stands for the operating point
+  HeldCases cases = HeldCases::both;  ///< pose whose heat counts if one figure represents the operating point
   Supply supply{};
 };
 

@@ -8,8 +8,8 @@
 
 namespace coilwright::algebra {
 
-/// What a first-order lag makes of a curve: x' = (u(t) - x) / T, in closed form. On each of the cubics of u it is the
-/// polynomial u - T u' + T^2 u'' - T^3 u''' and a part that fades as exp(-t / T).
+/// The response of a first-order lag to a curve: x' = (u(t) - x) / T, in closed form. On each of the cubics of u it is
+/// the polynomial u - T u' + T^2 u'' - T^3 u''' and a part that fades as exp(-t / T).
 class LaggedCurve {
  public:
   /// Applies the lag T (s, > 0) to the curve `entering`, from `start` at the first row, one value for each of the

@@ -21,8 +21,8 @@ struct Input {
 /// The program whose numbers an archive holds. Another program may give others.
 struct Program {
   std::string version{};  ///< "0.1.0"
-  std::string commit{};   ///< 40 hexadecimal digits; empty where it is not known
-  std::string build{};    ///< SHA-256 of the program's file where the commit does not tell its sources; else empty
+  std::string commit{};   ///< 40 hexadecimal digits; empty if it is not known
+  std::string build{};    ///< SHA-256 of the program's file if the commit does not identify its sources; else empty
 
   friend bool operator==(const Program&, const Program&) = default;
 };
@@ -42,7 +42,7 @@ struct Physics {
   friend bool operator==(const Physics&, const Physics&) = default;
 };
 
-/// What a column of an archive holds.
+/// The content of a column of an archive.
 enum class Role { variable, objective, constraint, quantity };
 
 /// The name of a role: "variable", "objective", "constraint", "quantity".
@@ -50,9 +50,9 @@ enum class Role { variable, objective, constraint, quantity };
 
 /// A column of the table of designs that the study brings.
 struct Column {
-  Role role{};            ///< what it holds
+  Role role{};            ///< kind of its content
   std::string name{};     ///< of the variable, the objective, the limit ("mass_g <= 70") or the quantity
-  std::string meaning{};  ///< of a quantity what it is; of an objective "maximise" or "minimise"; else empty
+  std::string meaning{};  ///< meaning of a quantity; "maximise" or "minimise" of an objective; else empty
   std::string column{};   ///< its name in the table, unique whatever the case of its letters
 
   friend bool operator==(const Column&, const Column&) = default;
@@ -62,13 +62,13 @@ struct Column {
 struct Contents {
   std::string command{};                ///< "pareto"
   std::string study{};                  ///< its name
-  Program program{};                    ///< that evaluates
+  Program program{};                    ///< program that evaluates
   std::vector<Input> inputs{};          ///< the study, then its actuator
   std::vector<std::string> changes{};   ///< each --set, "gap_mm=1.2"
   std::string question{};               ///< digest of inputs and changes
   Physics physics{};                    ///< of every design
-  std::string algorithm{};              ///< of the search, or the sample; empty where nothing is drawn
-  std::optional<std::uint64_t> seed{};  ///< nothing where nothing is drawn
+  std::string algorithm{};              ///< of the search, or the sample; empty if nothing is drawn
+  std::optional<std::uint64_t> seed{};  ///< absent if nothing is drawn
   std::vector<Column> columns{};        ///< by role, in the order of the study
 
   friend bool operator==(const Contents&, const Contents&) = default;

@@ -21,10 +21,10 @@ struct Query {
   /// A condition in SQL over the columns of the table of designs: "mass_g < 70 and status = 'ok'". A design that lacks
   /// a value of the condition does not fulfil it. Empty: all designs.
   std::string where{};
-  std::string order_by{};             ///< a column, of which a design needs a value; empty: the order of recording
-  bool descending{false};             ///< the largest first
-  std::size_t skip{0};                ///< without so many of the first
-  std::optional<std::size_t> most{};  ///< so many designs at most
+  std::string order_by{};             ///< a column for which a design must have a value; empty: the order of recording
+  bool descending{false};             ///< whether the largest value comes first
+  std::size_t skip{0};                ///< number of designs that are skipped at the start
+  std::optional<std::size_t> most{};  ///< largest number of designs
 };
 
 /// Reads an archive, also while a run writes to it. Safe to use from several threads.
@@ -39,7 +39,7 @@ class Reader {
   Reader& operator=(Reader&&) noexcept;
 
   [[nodiscard]] const std::filesystem::path& path() const noexcept;  ///< as it was given
-  [[nodiscard]] const Contents& contents() const noexcept;           ///< what it is an archive of
+  [[nodiscard]] const Contents& contents() const noexcept;           ///< the subject of the archive
 
   /// Whether the rows have checksums. An archive without them can be read, but no run is answered from it, because
   /// changes on the disk cannot be detected.

@@ -22,8 +22,8 @@ struct Counts {
   std::size_t evaluated{};       ///< designs that this run evaluated
   std::size_t answered{};        ///< designs that the archive of the run knew before it began
   std::size_t reused{};          ///< designs that the archive of another study knew
-  std::size_t feasible{};        ///< of all these the feasible ones
-  std::optional<double> best{};  ///< the best feasible value of the first objective; nothing without one
+  std::size_t feasible{};        ///< feasible ones among all these
+  std::optional<double> best{};  ///< the best feasible value of the first objective; absent without one
 };
 
 /// A study whose every evaluation goes through an archive. A design that an earlier run recorded is answered with its
@@ -34,9 +34,9 @@ class RecordedStudy {
  public:
   /// The archives that answer evaluations.
   struct Sources {
-    std::shared_ptr<Writer> writer{};       ///< of this run; never empty; first, to go last, when nobody reads
-    std::shared_ptr<const Reader> known{};  ///< the archive as earlier runs left it; nothing where it is new
-    std::vector<std::shared_ptr<const Reader>> others{};  ///< archives without `differences_for_reuse`
+    std::shared_ptr<Writer> writer{};       ///< writer of this run; never empty; destroyed last if no reader is left
+    std::shared_ptr<const Reader> known{};  ///< the archive as earlier runs left it; null if it is new
+    std::vector<std::shared_ptr<const Reader>> others{};  ///< other archives, without `differences_for_reuse`
   };
 
   /// Copies the problem.

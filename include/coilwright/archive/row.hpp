@@ -29,12 +29,12 @@ struct Row {
   std::int64_t id{};                    ///< its place in the order of recording in its table, from 1
   std::int64_t run{};                   ///< the run that recorded it
   std::optional<std::size_t> number{};  ///< its place in the order of the search, from 1; nothing until a run has ended
-  std::string choice{};                 ///< the other modelling choice that it is under; empty as the study has it
+  std::string choice{};                 ///< the other modelling choice of the evaluation; empty for the study's own
   std::vector<Value> variables{};       ///< in the order of the archive's columns
-  sizing::Evaluation evaluation{};      ///< bit by bit what came out
-  std::optional<double> seconds{};      ///< that the evaluation took; nothing where another archive answered
-  double ended{};                       ///< when it was there, Unix time in s
-  std::string origin{};                 ///< the folder of the archive that answered; empty where it was evaluated
+  sizing::Evaluation evaluation{};      ///< the evaluation, bit by bit
+  std::optional<double> seconds{};      ///< duration of the evaluation; absent if another archive answered
+  double ended{};                       ///< time of its end, Unix time in s
+  std::string origin{};                 ///< folder of the archive that answered; empty if it was evaluated
 };
 
 /// One call of the program that wrote to an archive.
@@ -42,8 +42,8 @@ struct Run {
   std::int64_t id{};                             ///< from 1
   std::string started{};                         ///< "2026-01-31T12:00:00Z"
   std::string ended{};                           ///< empty while it runs, and where it was killed
-  std::string stop_reason{};                     ///< as the search names it, or "complete"; empty as `ended`
-  std::optional<std::size_t> max_evaluations{};  ///< largest number of designs; nothing in a sweep
+  std::string stop_reason{};                     ///< as the search names it, or "complete"; empty if `ended` is
+  std::optional<std::size_t> max_evaluations{};  ///< largest number of designs; absent in a sweep
   std::size_t evaluated{};                       ///< designs that it evaluated
   std::size_t answered{};                        ///< designs that this archive answered
   std::size_t reused{};                          ///< designs that other archives answered

@@ -23,11 +23,11 @@ void create(const std::filesystem::path& path, const Contents& contents);
 
 /// The result of a repair: the designs of an archive that had been changed.
 struct Repair {
-  std::size_t mended{};                 ///< that are what was written again
+  std::size_t mended{};                 ///< designs that are as written again
   std::vector<std::int64_t> dropped{};  ///< ids of those that were taken out
-  std::size_t dropped_choices{};        ///< those under other modelling choices that were taken out
-  std::size_t left{};                   ///< that are damaged still, because it was told to stop
-  std::int64_t gone{};                  ///< that were written and are not there
+  std::size_t dropped_choices{};        ///< designs under other modelling choices that were taken out
+  std::size_t left{};                   ///< designs that are still damaged, because the repair was stopped
+  std::int64_t gone{};                  ///< designs that were written and are missing
 
   /// Number of designs that were mended or taken out.
   [[nodiscard]] std::size_t looked_at() const { return mended + dropped.size() + dropped_choices; }

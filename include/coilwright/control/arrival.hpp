@@ -19,10 +19,10 @@ inline constexpr double most_overshoot = 0.1;
 /// The course of the bending angle at the end of a profile.
 struct Arrival {
   double start{};  ///< rad, under the current before
-  double end{};    ///< rad, the equilibrium under the last current about which it is at the end
+  double end{};    ///< rad, the equilibrium under the last current
   std::optional<double>
-      settling_time{};  ///< last time outside the band about `end`, s; nothing: still outside at the end
-  double overshoot{};   ///< beyond the end, over the change; >= 0
+      settling_time{};  ///< last time outside the band about `end`, s; absent: still outside at the end
+  double overshoot{};   ///< largest excess beyond the end, over the change; >= 0
   double peak_speed{};  ///< rad/s
   /// Time outside the band with a soft edge, integral of e^2 / (e^2 + band^2), s: a smooth measure of the settling
   /// time.

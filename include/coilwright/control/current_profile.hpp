@@ -12,9 +12,9 @@ namespace coilwright::control {
 struct CurrentProfile {
   double before{};               ///< A
   std::vector<double> times{};   ///< s, the first 0, increasing
-  std::vector<double> levels{};  ///< A, levels[i] from times[i] on; the last for good
+  std::vector<double> levels{};  ///< A, levels[i] from times[i] on; the last one holds for good
 
-  [[nodiscard]] double last() const { return levels.back(); }  ///< A, what it ends with
+  [[nodiscard]] double last() const { return levels.back(); }  ///< A, the last level
 };
 
 /// Converts `profile` to the input of a model, up to `duration` (s, beyond the last of its times). Throws

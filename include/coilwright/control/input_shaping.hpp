@@ -7,11 +7,12 @@
 
 namespace coilwright::control {
 
-/// How a step is split so that the pieces' vibrations cancel.
+/// The split of a step into pieces whose vibrations cancel.
 enum class Shaper {
-  step,                       ///< not at all
-  zero_vibration,             ///< two pieces half a period apart: none is left of a mode that is as stated
-  zero_vibration_derivative,  ///< three: what is left grows only with the square of an error of the mode's frequency
+  step,            ///< not split
+  zero_vibration,  ///< two pieces half a period apart, which leave nothing of a mode with exactly these numbers
+  zero_vibration_derivative,  ///< three pieces, which leave a rest that grows with the square of an error of the
+                              ///< frequency
 };
 
 /// The name of a shaper: "step", "zero_vibration", "zero_vibration_derivative".

@@ -13,12 +13,12 @@ namespace coilwright::control {
 
 /// The task to reach a bending angle from rest, fast and without ringing, by a current profile without a sensor.
 struct ReachTask {
-  double angle{};                ///< to reach, rad
+  double angle{};                ///< bending angle to reach, rad
   double start_current{};        ///< in every coil before, A
-  double lowest_current{};       ///< that the driver gives, A
-  double highest_current{};      ///< A; > lowest_current
-  double stiffness_error = 0.1;  ///< by how much k of all hinges may be off, relative; 0 to 0.5
-  double damping_error = 0.1;    ///< b likewise
+  double lowest_current{};       ///< lowest current of the driver, A
+  double highest_current{};      ///< highest current of the driver, A; > lowest_current
+  double stiffness_error = 0.1;  ///< relative error of k of all hinges; 0 to 0.5
+  double damping_error = 0.1;    ///< relative error of b of all hinges; 0 to 0.5
   int pieces = 3;                ///< levels of the searched profile before the last one, 1 to 6
 };
 
@@ -34,12 +34,12 @@ struct ProfileQuality {
 
 /// The result of reach(): the profiles and what they start from.
 struct Reach {
-  double current{};                      ///< that holds the angle, A
-  simulation::Mode mode;                 ///< the slowest of small motions there
-  double duration{};                     ///< for which every profile was followed, s
+  double current{};                      ///< current that holds the angle, A
+  simulation::Mode mode;                 ///< the slowest mode of small motions at the angle
+  double duration{};                     ///< duration for which every profile was followed, s
   std::vector<ProfileQuality> profiles;  ///< step, the two shapers, searched; at least the step
-  double least_end{};                    ///< bending angle at which fingers with k and b off end, rad
-  double greatest_end{};                 ///< likewise: no profile without a sensor mends it
+  double least_end{};                    ///< smallest end of the bending angle with k and b off, rad
+  double greatest_end{};                 ///< largest end; no profile without a sensor can reduce the difference
 };
 
 /// Finds the current that holds the angle, shapes a step to it for the slowest mode, and searches with NLopt (Nelder

@@ -7,18 +7,18 @@ namespace coilwright::drive {
 /// The parts of a driver through which the current flows in one phase, beside the coils. The driver itself never
 /// reverses a current; motion may (systems::drive_motion), if no diode is in its way.
 struct Path {
-  double source{};             ///< voltage that drives the current, V; below 0 where it flows back into the supply
-  double diodes{};             ///< forward drops, whatever the current, V; >= 0
+  double source{};             ///< voltage that drives the current, V; negative if it flows back into the supply
+  double diodes{};             ///< forward drops, independent of the current, V; >= 0
   double resistance{};         ///< of the switches, ohm; >= 0
   double supply_resistance{};  ///< inside the supply with its leads, ohm; >= 0
-  bool one_way{};              ///< whether diodes carry it, so that it cannot turn round
+  bool one_way{};              ///< whether diodes carry it, so that it cannot reverse
 };
 
 /// Fixed off-time regulation: at the current `trip` the driver shorts the coils for `off_time` and then drives again.
 struct CurrentLimit {
   double trip{};      ///< A, of the driver's current; finite, > 0
   double off_time{};  ///< s; finite, > 0
-  double blanking{};  ///< s after switching on in which the limit does not look; >= 0: the current may pass it
+  double blanking{};  ///< time after switching on in which the limit does not act, s; >= 0. The current may pass it
 };
 
 /// A driver as its phases: on, off, and between them a dead time in which diodes carry the current.
@@ -26,7 +26,7 @@ struct Driver {
   Path on{};
   Path dead{};
   Path off{};
-  Path chop{};         ///< while the current limit holds the coils off
+  Path chop{};         ///< path while the current limit holds the coils off
   double dead_time{};  ///< after each of the two edges, s; >= 0. It delays switching on, and does not lengthen it
   std::optional<CurrentLimit> limit{};
 };
@@ -56,10 +56,10 @@ struct HBridge {
   double diode_voltage = 0.8;      ///< of a switch's diode, V; finite, >= 0
   double dead_time = 220e-9;       ///< s; finite, >= 0
   Decay decay = Decay::slow;       ///< while the pulse is off
-  std::optional<double> trip{};    ///< of the current limit, A; nothing: no limit
+  std::optional<double> trip{};    ///< of the current limit, A; absent: no limit
   double limit_off_time = 25e-6;   ///< s
   double limit_blanking = 2e-6;    ///< s
-  BridgeRatings ratings{};         ///< no rule for what driver_of() makes: systems::drive_actuator warns
+  BridgeRatings ratings{};         ///< not checked by driver_of(); systems::drive_actuator warns
 };
 
 /// Makes the driver of a bridge. Throws std::invalid_argument naming the field, the rule and the value received.

@@ -9,8 +9,8 @@ namespace coilwright::drive {
 
 /// A setting of a drive that gives a wanted mean current, or the nearest that can be had.
 struct Setting {
-  std::optional<double> value{};  ///< of the setting; nothing where the mean current is out of reach
-  SteadyCurrent current{};        ///< at that setting; at the largest one where there is none
+  std::optional<double> value{};  ///< value of the setting; absent if the mean current is out of reach
+  SteadyCurrent current{};        ///< current at that setting; at the largest one if there is no setting
 };
 
 /// Finds the duty at which the driver's mean current is `mean` (A; finite, > 0), to 1e-12 of a period. Near duty 1,

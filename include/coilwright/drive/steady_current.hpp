@@ -8,7 +8,7 @@ namespace coilwright::drive {
 
 /// Mean powers over the periods evaluated, W. source = coils + switches + diodes + supply + stored.
 struct DrivePowers {
-  double source{};    ///< of the supply's electromotive force, less what returns to it
+  double source{};    ///< supplied by the electromotive force, less what returns to it
   double coils{};     ///< heat in the coils' copper
   double switches{};  ///< heat in the switches
   double diodes{};    ///< heat in the diodes
@@ -22,7 +22,7 @@ struct SteadyCurrent {
   double rms{};
   double peak{};         ///< largest
   double valley{};       ///< smallest
-  double supply_mean{};  ///< that the supply delivers, less what returns to it
+  double supply_mean{};  ///< current that the supply delivers, less what returns to it
   double conduction{};   ///< fraction of the time with a current, 0 to 1
   bool is_limited{};     ///< whether the current limit acted
   /// Whether every period equals the one before. Pulses that beat with a limit's fixed off-time may not repeat; then

@@ -20,10 +20,10 @@ using ModelExport = std::vector<ExportedFile> (*)(const ModelSubject& subject, c
 /// One kind of export: a row of the table that the command line offers.
 struct ExportKind {
   std::string_view name;                               ///< "workshop"
-  std::string_view gives;                              ///< what its files are, in a phrase
-  std::string_view use;                                ///< what to do with them next, in one or two sentences
+  std::string_view gives;                              ///< content of its files, in a phrase
+  std::string_view use;                                ///< how to use the files, in one or two sentences
   std::span<const std::string_view> settings;          ///< names of the ExportSetting that it reads
-  std::variant<DesignExport, ModelExport> write_text;  ///< by which it is made; see export_files()
+  std::variant<DesignExport, ModelExport> write_text;  ///< function that makes the files; see export_files()
 };
 
 /// Every kind.

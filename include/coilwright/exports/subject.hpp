@@ -25,7 +25,7 @@ struct DesignSubject {
   Origin origin;
   actuator::Design design;
   actuator::Assembly assembly;                                ///< of `design`
-  std::optional<actuator::OperatingPoint> operating_point{};  ///< for which it was sized
+  std::optional<actuator::OperatingPoint> operating_point{};  ///< the operating point for which it was sized
 };
 
 /// An actuator of which only the model is known or wanted.

@@ -11,7 +11,7 @@ struct Workflow {
   std::vector<std::string> arguments{};             ///< of each part, for that program; no blanks inside one
   std::vector<std::vector<std::string>> outputs{};  ///< of each part, files from the folder on
   std::vector<std::string> inputs{};                ///< of every part, beside the program
-  std::string merge{};                              ///< a command of sh that puts the outputs together
+  std::string merge{};                              ///< a command of sh that joins the outputs
   std::string result{};                             ///< the last file that it writes
   std::vector<std::string> slurm{};                 ///< options of sbatch for each part: "--time=2:00:00"
 };

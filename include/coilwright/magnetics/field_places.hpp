@@ -15,7 +15,7 @@ namespace coilwright::magnetics {
 struct FieldPlaces {
   std::vector<FieldSample> samples{};
   std::vector<std::size_t> within{};  ///< number of the body that a point lies in, from 1 on; 0 for none
-  std::vector<bool> in_iron{};        ///< behind the face of the plate, where its mirror says nothing
+  std::vector<bool> in_iron{};  ///< whether the point is behind the face of the plate, where its mirror does not hold
 };
 
 /// Computes the field. Without `gradient` the gradients are 0. Throws as field().

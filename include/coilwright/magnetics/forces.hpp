@@ -13,9 +13,9 @@ namespace coilwright::magnetics {
 /// Force and torque on each of several bodies.
 struct Forces {
   std::vector<Wrench> on;               ///< on each body from all others and the plate: the sum of its row
-  std::vector<std::vector<Wrench>> by;  ///< element [i][j]: on body i from body j; of a body on itself zero
-  std::vector<Wrench> by_plate;         ///< on each body from the plate; empty where there is none
-  double error{};                       ///< N, the largest error of a force where faces were integrated over; 0 if none
+  std::vector<std::vector<Wrench>> by;  ///< element [i][j]: on body i from body j; zero for a body on itself
+  std::vector<Wrench> by_plate;         ///< on each body from the plate; empty if there is none
+  double error{};  ///< N, the largest error of a force by integration over faces; 0 without such forces
 };
 
 /// Force and torque on each body from all others, in the axes of their poses, each torque about the centre of its body.

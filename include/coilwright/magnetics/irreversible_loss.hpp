@@ -9,7 +9,7 @@ namespace coilwright::magnetics {
 /// good one.
 struct DemagnetisationCurve {
   double magnetisation{};   ///< M0 = Br / mu0, A/m; finite, >= 0
-  double coercivity{};      ///< HcJ, A/m; finite; at 0 and below nothing holds
+  double coercivity{};      ///< HcJ, A/m; finite; at 0 and below the magnet holds no magnetisation
   double susceptibility{};  ///< chi of the recoil line, recoil permeability less 1; >= 0
 
   /// The margin 1 - |H| / HcJ above which every curve is on its recoil line: the knee for chi = 0; the others are

@@ -35,8 +35,8 @@ inline constexpr double steel_saturation = 2.0;
 /// The sizes that a plate needs for its mirror to hold.
 struct PlateLoad {
   double flux_density{};     ///< T, the largest in the plate, spread evenly over its thickness
-  double least_thickness{};  ///< m, with which that is steel_saturation
-  double reach{};            ///< m, from the foot of the bodies' middle; farther out is a hundredth of the pull
+  double least_thickness{};  ///< thickness at which that is steel_saturation, m
+  double reach{};            ///< m, from the foot of the bodies' centre; the part beyond has a hundredth of the pull
 };
 
 /// Computes the load of a plate. The flux that enters the face runs along the plate to where it leaves: per width it is

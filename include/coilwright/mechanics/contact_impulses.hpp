@@ -35,7 +35,7 @@ struct Contact {
 struct ContactImpulse {
   double normal{};         ///< N s (N m s where the row is of an angle), >= 0
   double tangential{};     ///< along +tangent; between -along and +against times the normal impulse
-  double normal_speed{};   ///< after the step, m/s, >= 0 but for rounding
+  double normal_speed{};   ///< after the step, m/s, >= 0 except for rounding
   double sliding_speed{};  ///< after the step, m/s
 };
 

@@ -30,7 +30,7 @@ struct MiddleOfStep {
   /// M, (n, n); with stiff springs of stiffness K and dampers B taken implicitly: M + step B / 2 + step^2 K / 4.
   CoordinateMatrix mass;
   CoordinateVector force;         ///< all forces but those of contact, at the velocities of the step's start
-  std::vector<Contact> contacts;  ///< those whose gap is at most closed_gap here
+  std::vector<Contact> contacts;  ///< contacts whose gap is at most closed_gap here
   bool lands{};                   ///< whether something lands in the step for which lands_too_fast() is true
 };
 
@@ -38,9 +38,9 @@ struct MiddleOfStep {
 struct MoreauStep {
   CoordinateVector position;
   CoordinateVector velocity;
-  CoordinateVector middle_velocity;      ///< mean of both ends: by which forces and impulses do their work
-  std::vector<Contact> contacts;         ///< that were closed
-  std::vector<ContactImpulse> impulses;  ///< of these, in their order
+  CoordinateVector middle_velocity;      ///< mean of both ends, by which forces and impulses do their work
+  std::vector<Contact> contacts;         ///< contacts that were closed
+  std::vector<ContactImpulse> impulses;  ///< impulses of these contacts, in their order
 };
 
 /// The end of a step of `step`, s, that began with `velocity`, from the system at its middle, `middle`.

@@ -8,8 +8,8 @@ namespace coilwright::mechanics {
 /// A castable silicone as its maker sells it. Sources: docs/theory/actuator.md, "Silicones".
 struct SiliconeGrade {
   std::string_view name;  ///< "Ecoflex 00-30"
-  double shore_a{};       ///< as the maker states it; 0 where it is Shore 00
-  double shore_00{};      ///< likewise; 0 where it is Shore A
+  double shore_a{};       ///< Shore A as the maker states it; 0 if that is Shore 00
+  double shore_00{};      ///< Shore 00 as the maker states it; 0 if that is Shore A
   /// Young's modulus at small strains, Pa: from the maker's stress at 100 % or from the hardness by Gent. An error of a
   /// factor of two is not unusual. See young_modulus_from_100_percent().
   double young_modulus{};

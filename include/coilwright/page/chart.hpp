@@ -13,13 +13,13 @@ namespace coilwright::page {
 [[nodiscard]] text::Json vega_lite(const std::string& description, std::size_t height, bool resizes,
                                    const char* autosize = "fit");
 
-/// How a series of a chart is drawn.
+/// The drawing style of a series.
 enum class Mark {
   line,    ///< straight lines between its points, in their order
   steps,   ///< each value holds until the next point
   points,  ///< a symbol a point, of a shape of its own
-  dots,    ///< a small symbol a point: what was measured
-  faint,   ///< small, pale symbols, for what is there in great number
+  dots,    ///< a small symbol for each point: measured values
+  faint,   ///< small, pale symbols, for large numbers of points
   level    ///< a line across at the one value of y; x is empty
 };
 
@@ -57,7 +57,7 @@ struct Chart {
 struct Bar {
   std::string label;
   double value{};
-  std::string group;  ///< what the legend tells apart, by colour and by the words in it
+  std::string group;  ///< the group that the legend names, with a colour of its own
 };
 
 /// Values side by side: bars from 0.
@@ -67,7 +67,7 @@ struct BarChart {
   std::string description;
   std::string value_title;  ///< with its unit
   std::string label_title;
-  std::vector<Bar> bars{};  ///< in the order in which they are to be seen
+  std::vector<Bar> bars{};  ///< in their order on the page
   /// Draws a symbol at each value instead of a bar, with one shape for each group, on an axis that need not begin at 0.
   bool symbols{};
 };

@@ -13,7 +13,7 @@ namespace coilwright::page {
 struct Table {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows{};  ///< each as long as the header
-  std::string note{};                            ///< what is not in it; empty: nothing
+  std::string note{};                            ///< remark on rows that are not shown; empty: all are
 };
 
 /// A picture drawn by the program: a complete svg element, which takes its colours from the page's style.
@@ -33,7 +33,7 @@ struct Figure {
   /// A description of the picture in a sentence or two, which stands for it.
   std::string description;
   std::variant<text::Json, Drawing, Image> content;  ///< a Vega-Lite specification, or a drawing
-  Table table{};                                     ///< its numbers; none where a table beside it has them
+  Table table{};                                     ///< its numbers; empty if a table beside it has them
 };
 
 /// Plain text between figures.
@@ -75,8 +75,8 @@ struct DataBlock {
 /// A report before it becomes a file.
 struct Page {
   std::string title;
-  std::string verdict;                  ///< one sentence, or a few: what comes first
-  std::vector<std::string> cautions{};  ///< what a reader must know beside it: "BEWARE: ...", each a paragraph
+  std::string verdict;                  ///< one sentence or a few, shown first
+  std::vector<std::string> cautions{};  ///< remarks that a reader must see beside it: "BEWARE: ...", each a paragraph
   std::string origin;                   ///< program, version, command: one line
   std::vector<std::string> inputs{};    ///< the files that it is made of, with their hashes, a line each
   std::vector<Section> sections{};

@@ -18,8 +18,8 @@ namespace coilwright::page {
 /// The inputs of a page beside the files of its folder.
 struct PageInputs {
   std::string made_by{};                 ///< program and version, for the first lines
-  std::optional<sizing::Study> study{};  ///< that the results are of: a front shows its designs only with it
-  std::string why_no_study{};            ///< why there is none, as a sentence
+  std::optional<sizing::Study> study{};  ///< the study of the results; a front shows its designs only with it
+  std::string why_no_study{};            ///< reason why there is none, as a sentence
   std::size_t most_pictures = 200;       ///< designs of a front that are drawn and simulated
 };
 

@@ -9,8 +9,8 @@ namespace coilwright::results {
 
 /// The state of the repository from which this program was built.
 struct Commit {
-  std::string hash{};   ///< 40 hexadecimal digits; empty where the sources were in no repository of their own
-  bool changed{false};  ///< what is built differed from that commit
+  std::string hash{};   ///< 40 hexadecimal digits; empty if the sources were in no repository of their own
+  bool changed{false};  ///< whether the sources differed from that commit
   /// SHA-256 over the sources; empty if the commit identifies them.
   std::string sources{};
 };
@@ -21,7 +21,7 @@ struct Commit {
 /// A library of another project that is part of this program.
 struct Library {
   std::string name{};
-  std::string version{};  ///< that the build found; "unknown" where its package states none
+  std::string version{};  ///< the version that the build found; "unknown" if its package states none
 };
 
 /// All such libraries, in the order in which the build finds them.

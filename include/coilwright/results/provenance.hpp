@@ -33,8 +33,8 @@ struct Provenance {
   std::vector<InputRecord> inputs{};    ///< in the order in which the command names them
   std::vector<InputRecord> starts{};    ///< the designs of other runs that a search starts from, by their archives
   std::vector<std::string> changes{};   ///< each --set, "gap_mm=1.2"
-  std::optional<std::uint64_t> seed{};  ///< nothing where nothing is drawn
-  std::string sample{};                 ///< of a sweep, "random of 1000 designs"; empty where it draws none
+  std::optional<std::uint64_t> seed{};  ///< absent if nothing is drawn
+  std::string sample{};                 ///< of a sweep, "random of 1000 designs"; empty if it draws none
 };
 
 /// A number for "the same question": the SHA-256 of a text with a line for the digest of each input and for each
@@ -48,7 +48,7 @@ void write_provenance(text::OutputFolder& folder, const Provenance& provenance);
 /// The question that the results of a folder answer, by its provenance.json.
 struct Question {
   std::string sha256{};                 ///< as hash_of()
-  std::optional<std::uint64_t> seed{};  ///< nothing where nothing is drawn
+  std::optional<std::uint64_t> seed{};  ///< absent if nothing is drawn
 };
 /// Reads the question of a folder; absent if it has no such file. Throws InputError if it cannot be read.
 [[nodiscard]] std::optional<Question> question_in(const std::filesystem::path& folder);

@@ -9,7 +9,7 @@ namespace coilwright::simulation {
 
 /// A finger that rests against a vertical wall without friction and cannot bend further.
 struct BlockedGrasp {
-  double force{};                 ///< on the wall, N, >= 0; 0 where the finger would rather leave the wall
+  double force{};                 ///< on the wall, N, >= 0; 0 if the finger would leave the wall
   mechanics::JointVector angles;  ///< of the joints while it presses, rad
 };
 

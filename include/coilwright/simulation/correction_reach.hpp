@@ -15,7 +15,7 @@ struct CorrectionReach {
   actuator::CorrectionVariable variable{};
   double measured_from{};  ///< SI
   double measured_to{};
-  double used_from{};  ///< of all joints that have it
+  double used_from{};  ///< range in all joints that have the correction
   double used_to{};
   /// Whether the correction is used beyond the range of its measurement, where it fades to nothing.
   [[nodiscard]] bool is_beyond() const { return used_from < measured_from || used_to > measured_to; }

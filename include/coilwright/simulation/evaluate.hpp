@@ -12,7 +12,7 @@ struct EvaluatedDesign {
   actuator::Assembly assembly;
   OperatingPoint point;
   Performance performance;
-  Settings settings{};  ///< of a study that varies some
+  Settings settings{};  ///< settings that a study varies
   /// Results that quantities of this design share. Whoever changes a member above must replace this one, and
   /// `performance`.
   std::shared_ptr<SharedResults> shared = std::make_shared<SharedResults>();

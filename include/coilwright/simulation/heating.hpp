@@ -13,7 +13,7 @@ struct Heating {
   std::vector<double> times{};               ///< s, from 0, even in the logarithm after the first
   std::vector<thermal::NodeVector> means{};  ///< mean temperature of every component, base to tip, degC; a row a time
   std::vector<thermal::NodeVector> hot_spots{};  ///< of the hottest place of every component, degC; likewise
-  bool runaway{};  ///< whether there is no steady state: the times then end where it is hot
+  bool runaway{};  ///< whether there is no steady state; the times then end where a part is hot
 };
 
 /// The heating of the free finger at the joint angles where it settles (in a runaway those of its cold step), with the

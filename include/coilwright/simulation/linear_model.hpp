@@ -26,11 +26,11 @@ struct LinearModel {
   int effect_states{};                            ///< e
   std::vector<Mode> modes;                        ///< of the chain, slowest first
   std::vector<std::complex<double>> eigenvalues;  ///< of A, 1/s; conjugates side by side
-  std::optional<Eigen::MatrixXd> dc_gain;         ///< -C A^-1 B + D, rad/A; nothing where A is singular
+  std::optional<Eigen::MatrixXd> dc_gain;         ///< -C A^-1 B + D, rad/A; absent if A is singular
   /// Whether something sticks (dry friction, hysteresis). The model then describes motions that exceed the friction,
   /// and not those that it holds.
   bool sticks{};
-  std::vector<int> pressed_joints;  ///< whose faces push there: the model holds while they do
+  std::vector<int> pressed_joints;  ///< joints whose faces push there; the model holds while they do
 
   /// Whether all small motions decay.
   [[nodiscard]] bool stable() const;

@@ -16,11 +16,11 @@ inline constexpr double most_irreversible_loss = 1.0;
 /// whatever a study asks for.
 struct PartLimit {
   std::string_view quantity;      ///< its name: "magnet_temperature_degC", of a standard quantity or supply_load()
-  std::optional<double> value{};  ///< in the unit of that name; nothing in a thermal runaway
+  std::optional<double> value{};  ///< in the unit of that name; absent in a thermal runaway
   double limit{};                 ///< in the same unit
   bool at_most = true;            ///< whether the value must not exceed the limit; otherwise it must not fall below it
-  std::string consequence{};      ///< what happens beyond it, as the end of a sentence
-  bool conditional = false;       ///< whether the parts stand more under a condition, which the consequence names
+  std::string consequence{};      ///< consequence of exceeding it, as the end of a sentence
+  bool conditional = false;       ///< whether the parts bear more under a condition, which the consequence names
 
   [[nodiscard]] bool is_broken() const noexcept { return !value || (at_most ? *value > limit : *value < limit); }
   /// Distance from the limit over its scale (its magnitude, or 1 if that is 0); negative if it is broken, -1 without a

@@ -20,12 +20,12 @@ using actuator::OperatingPoint;
 /// The motion of a free finger at one current.
 struct FreeMotion {
   mechanics::JointVector rest_angles;    ///< hanging without current, rad
-  mechanics::JointVector steady_angles;  ///< where a step from rest ends, rad
+  mechanics::JointVector steady_angles;  ///< end of a step from rest, rad
   double peak_bending_speed{};           ///< of that step, rad/s
   double peak_speed_time{};              ///< s
   double peak_angle{};                   ///< largest bending angle of that step, rad
-  double peak_joint_angle{};             ///< largest magnitude of any joint's angle in it, rad
-  double overshoot{};                    ///< over the change of the bending angle
+  double peak_joint_angle{};             ///< largest magnitude of any joint's angle in that step, rad
+  double overshoot{};                    ///< excess over the change of the bending angle
   std::optional<double> rise_time;       ///< 10 to 90 %, s
   std::optional<double> settling_time;   ///< to 2 %, s
   std::vector<Mode> modes;               ///< at the steady angles, slowest first
@@ -35,7 +35,7 @@ struct FreeMotion {
 struct Grasp {
   double grasp_force{};                 ///< against the wall of the operating point, N
   mechanics::JointVector grasp_angles;  ///< of the joints in that grasp, rad
-  double contact_force_no_current{};    ///< the same without current, N
+  double contact_force_no_current{};    ///< the force in the same pose without current, N
 };
 
 /// The motion and force of a model at one current.
@@ -46,25 +46,26 @@ struct Electrics {
   std::optional<double> resistance{};      ///< of the hottest coil, ohm
   std::optional<double> voltage{};         ///< across the hottest coil, V
   std::optional<double> power{};           ///< of all coils while on, W
-  std::optional<double> supply_voltage{};  ///< that the open circuit must have, V
+  std::optional<double> supply_voltage{};  ///< open-circuit voltage that the supply needs, V
   std::optional<double> supply_current{};  ///< that the supply delivers while on, A
-  std::optional<double>
-      driven_current{};  ///< in every coil, that the stated supply drives at most, A; nothing if none is
+  std::optional<double> driven_current{};  ///< largest current in every coil that the stated supply drives, A; absent
+                                           ///< without a stated supply
 };
 
 /// Temperatures of coils and magnets when the operating point is held in one pose.
 struct Heat {
-  std::optional<double> coil_temperature{};    ///< mean of the hottest coil, degC; nothing in a thermal runaway
-  std::optional<double> coil_hot_spot{};       ///< its hottest turn, degC; likewise
-  std::optional<double> magnet_temperature{};  ///< hottest magnet, degC; likewise
-  std::optional<double> skin_temperature{};    ///< hottest place of the outer surface, degC; likewise
-  thermal::NodeVector temperatures{};          ///< of every component, base to tip, degC; empty in a thermal runaway
-  double continuous_current{};                 ///< largest steady current for the coils' limit, A
-  double magnet_continuous_current{};          ///< likewise for the magnets' limit, A
-  double runaway_current{};                    ///< above it there is no steady state, A
-  double still_air_current{};                  ///< smaller of the two steady currents in still air, A
-  std::optional<double> time_to_limit{};  ///< from cold until a part is at its limit, current on, s; nothing if never
-  std::optional<double> time_to_limit_warm{};  ///< the same from the steady state of the mean load
+  std::optional<double> coil_temperature{};    ///< mean of the hottest coil, degC; absent in a thermal runaway
+  std::optional<double> coil_hot_spot{};       ///< its hottest turn, degC; absent in a thermal runaway
+  std::optional<double> magnet_temperature{};  ///< hottest magnet, degC; absent in a thermal runaway
+  std::optional<double> skin_temperature{};  ///< hottest place of the outer surface, degC; absent in a thermal runaway
+  thermal::NodeVector temperatures{};        ///< of every component, base to tip, degC; empty in a thermal runaway
+  double continuous_current{};               ///< largest steady current for the coils' limit, A
+  double magnet_continuous_current{};        ///< largest steady current for the magnets' limit, A
+  double runaway_current{};                  ///< current above which there is no steady state, A
+  double still_air_current{};                ///< the smaller of the two steady currents in still air, A
+  std::optional<double> time_to_limit{};     ///< from cold until a part is at its limit, current on, s; absent if never
+  std::optional<double> time_to_limit_warm{};  ///< time from the steady state of the mean load until a part is at its
+                                               ///< limit, s; absent if never
   std::optional<double> ripple{};              ///< of a coil's mean temperature over a period, peak to peak, K
   Electrics electrics{};
 
@@ -77,13 +78,13 @@ struct Heat {
 /// The finger held free at the operating point.
 struct FreeCase {
   Heat heat{};                         ///< at its steady joint angles
-  std::optional<FreeMotion> motion{};  ///< at those temperatures; nothing in a thermal runaway that the magnets feel
+  std::optional<FreeMotion> motion{};  ///< at those temperatures; absent in a thermal runaway that the magnets feel
 };
 
 /// The finger held against a wall at the operating point.
 struct GrippingCase {
   Heat heat{};                   ///< at the joint angles of the grasp
-  std::optional<Grasp> grasp{};  ///< at those temperatures; nothing in a thermal runaway that the magnets feel
+  std::optional<Grasp> grasp{};  ///< at those temperatures; absent in a thermal runaway that the magnets feel
 };
 
 /// All results of a design at an operating point.

@@ -27,8 +27,8 @@ struct DesignView {
   const actuator::Assembly& assembly;
   const OperatingPoint& point;
   const Performance& performance;
-  const Settings* settings = nullptr;  ///< of a study that varies some; nullptr: none
-  SharedResults* shared = nullptr;     ///< where results are kept that several quantities need; nullptr: nowhere
+  const Settings* settings = nullptr;  ///< settings that a study varies; nullptr: none
+  SharedResults* shared = nullptr;     ///< results that several quantities share; nullptr: not kept
 };
 
 /// The settings of a design; empty if its study varies none.
@@ -40,7 +40,7 @@ struct DesignView {
 /// Why a quantity has no value in one design.
 struct NoValue {
   std::string reason;          ///< as the end of a sentence
-  double infeasibility = 1.0;  ///< how far the design is from having one, in any measure of order 1; > 0
+  double infeasibility = 1.0;  ///< distance of the design from having a value, in any measure of order 1; > 0
 };
 
 /// One number of a design, as results print it and as a study may ask for it.
@@ -53,7 +53,7 @@ struct ResultQuantity {
 
   std::string name;               ///< ends with its unit: "mass_g"; without one it is a plain number
   std::string meaning;            ///< one line for a person
-  double scale{};                 ///< an ordinary magnitude, in its unit, > 0: differences are measured against it
+  double scale{};                 ///< an ordinary magnitude, in its unit, > 0, as a scale for differences
   Value value;                    ///< never empty
   std::string absence{};          ///< why it may have no value, as the end of a sentence; empty if it always has one
   LumpedValue value_of_lumped{};  ///< empty for a quantity that needs a design

@@ -17,9 +17,9 @@ namespace coilwright::simulation {
 struct OpeningChange {
   /// The thing that changes: polarities of the row, its parts, or the current.
   enum class Of { polarity, row, current };
-  Of of{};                 ///< which of these
-  std::string parts{};     ///< those that are turned round, "magnet 2 and coil 3"; empty where it is no polarity
-  EvaluatedDesign result;  ///< with the change, at an operating point of its own where that changes
+  Of of{};                 ///< the thing that changes
+  std::string parts{};     ///< the parts that are turned round, "magnet 2 and coil 3"; empty for other changes
+  EvaluatedDesign result;  ///< the design with the change, at a changed operating point if the current changes
 };
 
 /// For a design with joints that are shut under its current, the changes that open all of them: the polarity that turns

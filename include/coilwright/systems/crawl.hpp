@@ -23,7 +23,7 @@ struct CrawlPowers {
   double friction{};    ///< lost by sliding feet
   double impacts{};     ///< lost where feet land
   double stored{};      ///< increase of kinetic, potential and elastic energy
-  double unbalanced{};  ///< mechanical less the four before: what the time steps make or lose
+  double unbalanced{};  ///< mechanical less the four before: error of the time steps
 };
 
 /// The motion of a robot that has settled.
@@ -33,7 +33,7 @@ struct Crawl {
   double pulse_current{};        ///< current of one coil while closed and nothing moves, A
   double mean_current{};         ///< out of the cell, A
   double run_time{};             ///< on one charge at this current and the cell's full voltage, s
-  double distance_per_charge{};  ///< m; negative where it crawls backwards
+  double distance_per_charge{};  ///< m; negative if it crawls backwards
   double largest_bending{};      ///< sum of the joint angles, rad
   double smallest_bending{};     ///< rad
   std::vector<double> lifts;     ///< greatest height of each contact point (Crawler::contact_points), m

@@ -9,8 +9,8 @@ namespace coilwright::systems {
 
 /// The load that the robot bears with one film.
 struct Bearing {
-  double for_good{};              ///< A rms in every coil, while neither coil nor magnet passes its limit
-  std::optional<double> until{};  ///< s from a cold start until one does at the rms current; nothing if none ever does
+  double for_good{};              ///< A rms in every coil at which neither coil nor magnet passes its limit
+  std::optional<double> until{};  ///< s from a cold start to that limit at the rms current; absent: never
 };
 
 /// Heat of the coils while the robot crawls, computed for a robot that lies straight, where coils and magnets are

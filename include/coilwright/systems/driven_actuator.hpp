@@ -17,7 +17,7 @@ namespace coilwright::systems {
 struct CellDrive {
   drive::CellSwitch circuit{};
   double capacity{};                     ///< A s; finite, > 0
-  std::optional<double> most_current{};  ///< that it delivers, A; finite, > 0; nothing: 20 times the capacity an hour
+  std::optional<double> most_current{};  ///< that it delivers, A; finite, > 0; absent: 20 times the capacity an hour
 
   /// The largest current: most_current, or the usual rating of small lithium cells.
   [[nodiscard]] double current_limit() const { return most_current.value_or(20.0 * capacity / 3600.0); }
@@ -79,11 +79,12 @@ struct DrivenActuator {
   double driver_resistance{};            ///< of switches and supply while on, ohm
   drive::SteadyCurrent driver{};         ///< of the driver; powers are those of all actuators
   drive::SteadyCurrent coil{};           ///< of the coil that carries most; without powers
-  double heat_by_mean{};                 ///< what the coils' mean current alone would make in them, W
+  double heat_by_mean{};                 ///< heat that the coils' mean current alone would make in them, W
   double continuous_current{};           ///< rms that coils and magnets bear for good, joints at thermal_joint_angle, A
-  double straight_continuous_current{};  ///< the same of the straight actuator, where they are nearest to each other, A
+  double straight_continuous_current{};  ///< the same for the straight actuator, where coils and magnets are nearest to
+                                         ///< each other, A
   double ampacity{};                     ///< of the wire, A
-  Eigen::VectorXd coil_temperatures{};   ///< mean of each coil of an actuator, for which all this holds, degC
+  Eigen::VectorXd coil_temperatures{};   ///< mean temperature of each coil of an actuator, for these figures, degC
   /// Hottest temperature of the coils when this rms current is held for good, degC; absent in a runaway. A coil that
   /// warms takes less current from a voltage; there it is an upper bound, unless coil_temperature asks for the coils'
   /// own temperature.

@@ -75,8 +75,8 @@ struct MotionSample {
 struct MotionSummary {
   double duration{};           ///< s
   double start_bending{};      ///< sum of the joint angles at the first sample, rad
-  double end_bending{};        ///< at the last, rad
-  double most_bending{};       ///< largest, rad
+  double end_bending{};        ///< sum of the joint angles at the last sample, rad
+  double most_bending{};       ///< largest sum of the joint angles, rad
   double most_bending_time{};  ///< s
   double most_speed{};         ///< largest sum of the rates, either way, rad/s
   double most_speed_time{};    ///< s

@@ -19,10 +19,10 @@ struct WarmUpSample {
   double time{};                      ///< since the drive was switched on, s
   Eigen::VectorXd coil_temperatures;  ///< mean of each coil of an actuator, base to tip, degC
   double coil_hot_spot{};             ///< hottest place of any coil, degC
-  double magnet_temperature{};        ///< of the warmest magnet, degC; that of the surroundings where there is none
+  double magnet_temperature{};        ///< of the warmest magnet, degC; that of the surroundings if there is none
   double resistance{};                ///< of all coils as the driver sees them, ohm
   double mean{};                      ///< current of the coil that carries most, A
-  double rms{};                       ///< the same, A
+  double rms{};                       ///< rms current of that coil, A
   double supply_mean{};               ///< that the supply delivers, A
   double heat{};                      ///< of the coils of one actuator, W
 };
@@ -38,8 +38,8 @@ struct PassedLimit {
 /// Temperatures and currents of a driven actuator while it warms.
 struct WarmUp {
   std::vector<WarmUpSample> samples{};   ///< from time 0 at every interval and at the end, which is before the melting
-  std::optional<PassedLimit> limit{};    ///< nothing where no part passes its own
-  std::optional<double> melting_time{};  ///< when a coil's copper would melt, s; nothing where it does not
+  std::optional<PassedLimit> limit{};    ///< absent if no part passes its limit
+  std::optional<double> melting_time{};  ///< time at which a coil's copper would melt, s; absent if it does not
 };
 
 /// Temperatures of a design's parts from those of its surroundings on, with the duty and the voltage of `answer`

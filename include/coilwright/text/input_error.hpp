@@ -9,8 +9,8 @@ namespace coilwright::text {
 struct Fault {
   std::string file{};   ///< the path as the caller gave it
   std::string place{};  ///< JSON pointer, "line 3, column 7" or "line 12: column current_A"; empty: the file as a whole
-  std::string rule{};   ///< what is asked, as the end of a sentence: "must be > 0"
-  std::string value{};  ///< what stands there instead, as it is to be shown; empty: nothing to show
+  std::string rule{};   ///< the requirement, as the end of a sentence: "must be > 0"
+  std::string value{};  ///< the value found, as it is shown; empty: none
 };
 
 /// An error for an input file that cannot be used. what() is one line, whatever the file holds: `study.json:

@@ -32,12 +32,12 @@ struct BottomLayer {
 struct HeatChain {
   double width{};                       ///< of the cross-section, m
   double height{};                      ///< of the cross-section, m
-  double hinge_layer{};                 ///< of the height, what joins two segments whose joint is open, m; > 0
+  double hinge_layer{};                 ///< part of the height that joins two segments with an open joint, m; > 0
   double axis_offset{};                 ///< from the hinge axis to the cores' axis, m; above each core_radius
   double heat_transfer{};               ///< h of the outer surface: convection and radiation together, W/(m2 K); > 0
   double silicone_conductivity{};       ///< W/(m K); > 0
   double silicone_heat_capacity{};      ///< per volume, J/(m3 K); > 0
-  std::optional<BottomLayer> bottom{};  ///< of thickness hinge_layer; nothing: as the rest
+  std::optional<BottomLayer> bottom{};  ///< bottom layer of thickness hinge_layer; absent: as the rest
   double air_conductivity{0.03};        ///< W/(m K); > 0. Still air at 80 degC: 0.030 (CRC Handbook)
   double ambient{};                     ///< degC
   double temperature_coefficient{};     ///< alpha of the coils, 1/K; > 0

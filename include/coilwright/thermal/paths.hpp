@@ -14,8 +14,8 @@ struct Ring {
 struct RingConduction {
   double to_side{};           ///< from the mean to the outer surface, W/K
   double to_end{};            ///< from the mean to each end face, W/K
-  double hot_spot_by_side{};  ///< hottest place above the mean, per heat, where all of it leaves at the side, K/W
-  double hot_spot_by_ends{};  ///< likewise where all of it leaves at the ends, K/W
+  double hot_spot_by_side{};  ///< hottest place above the mean, per heat, if all of it leaves at the side, K/W
+  double hot_spot_by_ends{};  ///< hottest place above the mean, per heat, if all of it leaves at the ends, K/W
 };
 
 /// Computes the conduction from one-dimensional profiles of even heat: radial with an insulating bore, axial between

@@ -53,7 +53,7 @@ struct ContinuousCurrent {
 /// The current limits of a network, A.
 struct CurrentLimits {
   double coils{};    ///< continuous_current for coils
-  double magnets{};  ///< likewise for magnets; the runaway current where there are none
+  double magnets{};  ///< continuous_current for magnets; the runaway current without magnets
   double runaway{};  ///< runaway_current
 
   /// The largest current that coils and magnets bear for good.

@@ -17,15 +17,15 @@ using HeatAt = std::function<NodeVector(const NodeVector&)>;
 struct CourseTiming {
   double duration{};                                         ///< s; finite, > 0
   double interval{};                                         ///< between looks, s; finite, > 0, at most duration
-  double highest = std::numeric_limits<double>::infinity();  ///< ends where a node's mean reaches this, degC
+  double highest = std::numeric_limits<double>::infinity();  ///< the course ends when a node's mean reaches this, degC
 };
 
 /// Temperatures over time, from those of the surroundings on.
 struct TemperatureCourse {
   std::vector<double> times{};              ///< 0, every interval, and the end, s
-  std::vector<NodeVector> temperatures{};   ///< at these, degC, a value a node
-  std::optional<TimeToLimit> limit{};       ///< when the first hot spot of a coil or magnet passes its limit, and whose
-  std::optional<double> highest_reached{};  ///< when a node reached `highest`, s; no later times are there
+  std::vector<NodeVector> temperatures{};   ///< temperatures at these times, degC, one value per node
+  std::optional<TimeToLimit> limit{};       ///< when the first coil or magnet passes its limit, and which
+  std::optional<double> highest_reached{};  ///< time at which a node reached `highest`, s; later times do not exist
 };
 
 /// Follows C dT/dt = heat(T) - G (T - ambient) for heat that depends on the temperatures in any way; for constant

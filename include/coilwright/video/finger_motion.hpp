@@ -37,7 +37,7 @@ struct CameraEstimate {
 
 /// The motion of a finger in a film.
 struct FingerMotion {
-  std::vector<TagMotion> tags{};  ///< but the base, by id
+  std::vector<TagMotion> tags{};  ///< motions of all tags but the base, by id
   double interval{};              ///< s, median, between pictures
   double time_scale{1.0};         ///< of the container's time stamps, to seconds
   CameraEstimate readout{};

@@ -36,8 +36,8 @@ struct TrackedFilm {
   int width{};
   int height{};
   std::size_t pictures{};   ///< decoded
-  std::size_t doubled{};    ///< that show the picture before once more, and are left out
-  std::size_t unstamped{};  ///< that have no time stamp, and are left out: the last ones of some films
+  std::size_t doubled{};    ///< pictures that repeat the one before, and are left out
+  std::size_t unstamped{};  ///< pictures without a time stamp, which are left out: the last ones of some films
   /// Clockwise turn of the pictures relative to the camera's sensor, in quarters, 0 to 3.
   int quarter_turns{};
   std::vector<Frame> frames{};
@@ -54,7 +54,7 @@ struct TrackedFilm {
 /// The tags to find in a film.
 struct TrackRequest {
   std::optional<Place> led{};
-  std::function<void(const Picture&, const Frame&)> preview{};  ///< is shown every frame, where it is given
+  std::function<void(const Picture&, const Frame&)> preview{};  ///< called with every frame, if given
 };
 
 /// Follows the tags through a film. Throws text::InputError in one line: no picture, no tag, mirrored, two like tags,

@@ -27,7 +27,7 @@ class PictureSource {
 /// A calibrated lens, and its error on the boards of its calibration.
 struct CalibratedLens {
   Lens lens{};
-  double rms{};  ///< px, distance of the corners from where the lens draws them
+  double rms{};  ///< px, distance of the corners from their places by the lens
 };
 
 /// The functions that OpenCV provides. Their one implementation is a module that is loaded when a command needs it,

@@ -30,9 +30,9 @@ class Winding {
   [[nodiscard]] double axial_pitch() const noexcept;      ///< between turns of a layer, m
   [[nodiscard]] double radial_pitch() const noexcept;     ///< between layers, m
   [[nodiscard]] double inner_radius() const noexcept;     ///< m
-  [[nodiscard]] double outer_radius() const noexcept;     ///< m; no wire stands out of it
-  [[nodiscard]] double length() const noexcept;           ///< along the axis, m; no wire stands out of it
-  [[nodiscard]] double mean_radius() const noexcept;      ///< of the inner and outer one, m
+  [[nodiscard]] double outer_radius() const noexcept;     ///< m; all wires lie inside it
+  [[nodiscard]] double length() const noexcept;           ///< along the axis, m; all wires lie inside it
+  [[nodiscard]] double mean_radius() const noexcept;      ///< mean of the inner and the outer radius, m
   [[nodiscard]] double wire_length() const noexcept;      ///< of all turns, m; leads not included
   [[nodiscard]] double copper_mass() const noexcept;      ///< kg; enamel (2 to 4 % more) not included
   [[nodiscard]] double copper_fraction() const noexcept;  ///< copper section of all turns over (outer - inner) * length

@@ -19,14 +19,14 @@ enum class Enamel { grade_1, grade_2 };
 
 /// A round enamelled copper wire, SI: a bare diameter, an overall diameter, and what follows from them.
 struct Wire {
-  std::optional<int> awg{};        ///< the American gauge, where that is how it was named
-  std::optional<Enamel> enamel{};  ///< nothing where the overall diameter was given by itself
+  std::optional<int> awg{};        ///< the American gauge, if the wire was named by it
+  std::optional<Enamel> enamel{};  ///< absent if the overall diameter was given by itself
   double bare_diameter{};          ///< of the copper, nominal, m
   /// Largest diameter over the enamel that the standard allows, m. A winding designed for it is never too large for its
   /// mould; the nominal wire is 1.5 to 5 % thinner.
   double insulated_diameter{};
-  double least_bare{};             ///< of the copper as it is sold, m
-  double largest_bare{};           ///< likewise, m
+  double least_bare{};             ///< least diameter of the copper as it is sold, m
+  double largest_bare{};           ///< largest diameter of the copper as it is sold, m
   double resistance_per_length{};  ///< at 20 degC, ohm/m: copper_resistivity over the bare section
   /// Chassis-wiring current, A: a rule of thumb for single wires in free air (Handbook of Electronic Tables and
   /// Formulas, AWG 10 to 40); between two gauges and beyond AWG 40 by the slope of the table's logarithms. A coil runs

@@ -26,9 +26,9 @@ inline constexpr int most_current_shares = 4;
 
 /// The material between the turns of a coil.
 enum class Filler {
-  unstated,  ///< the prototype's convention: heat passes as through silicone, and nothing weighs there
-  silicone,  ///< potted: both
-  air        ///< dry: neither
+  unstated,  ///< the prototype's convention: silicone in heat, absent in mass
+  silicone,  ///< potted: silicone in heat and mass
+  air        ///< dry: air in heat and mass
 };
 
 /// Every coil of the actuator.
@@ -104,7 +104,7 @@ struct BodyDesign : SiliconeDesign {
   double constant_damping = 0.0692e-3;
 };
 
-/// Where segments are allowed to meet when a joint closes.
+/// The place at which segments meet when a joint closes.
 enum class ContactChoice {
   /// Only the stiff parts stop a joint, as if no silicone were between them: coil and magnet touch at their top. The
   /// paper's model has no contact; in its range the result is the same, and the joint cannot run away at negative
@@ -115,20 +115,21 @@ enum class ContactChoice {
   walls
 };
 
-/// How the bottom layer turns into a rotary spring.
+/// The law by which the bottom layer becomes a rotary spring.
 enum class HingeLaw {
-  slit,  ///< what a cut without width leaves: k goes with h_b squared; the paper divides its cast body by hand
-  slot,  ///< the same beside a cut of BodyDesign::slot_width
-  beam   ///< a strip of BodyDesign::hinge_length that was cast as such: h_b cubed. Files of 0.1 mean this
+  slit,  ///< a cut without width: k goes with h_b squared; the paper cuts its cast body by hand
+  slot,  ///< a cut of BodyDesign::slot_width
+  beam   ///< a strip of BodyDesign::hinge_length that was cast as such: h_b cubed. Files of version 0.1 mean this
 };
 
-/// How the silicone's part of a joint's damping follows its hinge; the rest is BodyDesign::constant_damping.
+/// The law by which the silicone's part of a joint's damping follows its hinge; the rest is
+/// BodyDesign::constant_damping.
 enum class DampingLaw {
-  loss_factor,  ///< b = loss_factor k / omega, omega of the finger's first mode: the same loss a cycle
+  loss_factor,  ///< b = loss_factor k / omega, omega of the finger's first mode: the same loss in each cycle
   proportional  ///< b = loss_time k
 };
 
-/// How segments carry their mass.
+/// The mass model of the segments.
 enum class SegmentMass {
   on_axis_points,  ///< point masses on the coil axis, no inertia of their own: the paper's (1)-(3)
   rigid_bodies     ///< centre of mass and inertia of the boxes and cylinders they consist of
@@ -140,10 +141,10 @@ enum class AmpacityChoice {
   table  ///< the table's own, rounded values
 };
 
-/// What carries heat away from the surface.
+/// The mechanism that carries heat away from the surface.
 enum class FilmChoice {
   calibrated,  ///< Surroundings::heat_transfer with its calibration
-  still_air    ///< natural convection and radiation by themselves: still_air_film()
+  still_air    ///< natural convection and radiation: still_air_film()
 };
 
 /// Conventions of the model. Each is worth a few per cent or more, so results can be compared only together with them.
@@ -185,10 +186,10 @@ struct Calibration {
   double radial_pitch = 1.0;         ///< of layers
   double joint_stiffness = 1.0;      ///< k
   double joint_damping = 1.0;        ///< the silicone's part of b
-  double constant_damping = 1.0;     ///< the rest of b; >= 0
+  double constant_damping = 1.0;     ///< the constant part of b; >= 0
   double axis_offset = 1.0;          ///< h
   double magnet_segment_mass = 1.0;  ///< m_1
-  double coil_segment_mass = 1.0;    ///< m_2, with a front part where it is the last
+  double coil_segment_mass = 1.0;    ///< m_2, including the front part if it is the last
   double tip_com = 1.0;              ///< l_2
   double coil_resistance = 1.0;
   double heat_transfer = 1.0;  ///< surface heat transfer coefficient, on the prototype's
@@ -208,8 +209,8 @@ struct Design {
   Surroundings surroundings{};
   ModelChoices choices{};
   Calibration calibration{};
-  std::vector<Effect> effects{};  ///< that the model has beside its stages; each kind at most once
-  AsBuilt as_built{};             ///< how the one that was built differs from its numbers
+  std::vector<Effect> effects{};  ///< effects beside the model's stages; each kind at most once
+  AsBuilt as_built{};             ///< differences between the built actuator and its numbers
   /// Error of the curves of torques and forces, relative to the largest value of each; > 0. Files do not set it. The
   /// default is two orders below the 1e-5 to which a coil is wound.
   double curve_tolerance = 1e-6;

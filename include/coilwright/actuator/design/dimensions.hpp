@@ -10,7 +10,7 @@ namespace coilwright::actuator {
 
 /// A rule of construction that a design breaks.
 struct ConstructionFault {
-  std::string rule;  ///< one line: what does not fit into what, with both figures and units
+  std::string rule;  ///< one line: the rule with both figures and units
   double excess{};   ///< by how much, relative to the limit; > 0 and growing away from what can be built
 };
 

@@ -14,8 +14,8 @@ struct Segment {
   double com_along{};      ///< from the own joint, m
   double com_offset{};     ///< from the hinge line, m
   double inertia{};        ///< about the centre of mass, in the plane of bending, kg m^2
-  double silicone_mass{};  ///< of that, kg
-  double bottom_mass{};    ///< of that the bottom layer's, where it is of another silicone than the body; else 0
+  double silicone_mass{};  ///< mass of its silicone, kg
+  double bottom_mass{};    ///< mass of its bottom layer if that is of another silicone than the body, kg; else 0
   double heat_capacity{};  ///< J/K
 };
 

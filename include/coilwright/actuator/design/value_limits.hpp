@@ -10,8 +10,8 @@ inline constexpr double most_remanence = 2.0;    ///< T; sintered NdFeB has up t
 /// T; of a lumped model, whose magnets stand for all that makes the torque stronger: a fit to an actuator with another
 /// effect than those of the catalogue has found 2.007 T.
 inline constexpr double most_effective_remanence = 5.0;
-inline constexpr double coldest_ambient = -50.0;  ///< degC; where copper's linear law and the silicone still hold
-inline constexpr double hottest_ambient = 200.0;  ///< degC; the same
+inline constexpr double coldest_ambient = -50.0;  ///< degC; below it copper's linear law and the silicone do not hold
+inline constexpr double hottest_ambient = 200.0;  ///< degC; above it they do not hold
 inline constexpr double most_gravity = 100.0;     ///< m/s^2; 9.81 as mm/s^2 is 9810
 ///@}
 

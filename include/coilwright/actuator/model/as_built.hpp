@@ -17,9 +17,9 @@ struct AsBuilt {
   /// Difference of the joints' stiffness over their mean, -2 to 2: the first joint has 1 - r/2 of its own stiffness,
   /// the second 1 + r/2, and so on in turn.
   double joint_stiffness_ratio = 0.0;
-  double joint_damping_ratio = 0.0;  ///< the same of their damping
+  double joint_damping_ratio = 0.0;  ///< difference of the joints' damping over their mean, in the same sense
   double face_closing_shift = 0.0;   ///< added to the angle at which the faces of every joint touch, rad
-  std::optional<TorqueCorrection> torque_correction{};  ///< what no effect explains
+  std::optional<TorqueCorrection> torque_correction{};  ///< a torque that no effect explains
   /// Factors of single joints and magnets, from the base; empty: 1 each. Files do not have them; a build of a study's
   /// spread draws them. @{
   std::vector<double> joint_stiffness_factors{};

@@ -42,7 +42,7 @@ struct RigScale {
 /// One number of an effect.
 struct EffectParameter {
   std::string_view key;   ///< as files write it, unit at its end: "torque_Nmm"; no unit for a pure number
-  std::string_view text;  ///< what it is, one line
+  std::string_view text;  ///< its meaning, one line
   double lower{};         ///< physical bounds, SI, inclusive; may be infinite
   double upper{};
   /// The value at which the effect is absent, SI. A shape (a time constant, a range) that means nothing without another
@@ -55,8 +55,8 @@ struct EffectParameter {
   std::optional<double> deviation{};
 };
 
-/// What an effect does while the model runs: hooks into the stages. Each effect overrides the hooks of its own stage.
-/// Immutable and shared between threads; whatever changes in time is in its InternalStateView.
+/// The action of an effect while the model runs: hooks into the stages. Each effect overrides the hooks of its own
+/// stage. Immutable and shared between threads; whatever changes in time is in its InternalStateView.
 class EffectTerm {
  public:
   EffectTerm() = default;
@@ -119,7 +119,7 @@ class EffectTerm {
   struct Body {
     mechanics::JointVector coupling;  ///< c, kg m for a coordinate in m, kg m^2 for one in rad
     double mass{};                    ///< m, kg or kg m^2; > 0
-    double force{};                   ///< f, N or N m; without what c . theta'' takes
+    double force{};                   ///< f, N or N m, without the part of c . theta''
   };
   /// Number of bodies that move beside the chain; each has two states. A model has at most max_bodies.
   [[nodiscard]] virtual int bodies() const { return 0; }
@@ -158,8 +158,8 @@ class EffectKind {
   [[nodiscard]] virtual std::string_view equation() const = 0;
   /// Source of the equation.
   [[nodiscard]] virtual std::string_view source() const = 0;
-  /// How a person finds out at the rig, in minutes and without this model, whether the effect is there: one line in the
-  /// imperative, without a full stop. Empty if there is no such way.
+  /// A check at the rig by which a person finds out, in minutes and without this model, whether the effect is there:
+  /// one line in the imperative, without a full stop. Empty if there is no such check.
   [[nodiscard]] virtual std::string_view check() const { return {}; }
   /// The numbers of the effect; empty for an effect that is only there or not.
   [[nodiscard]] virtual std::span<const EffectParameter> parameters() const = 0;

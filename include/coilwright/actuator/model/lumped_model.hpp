@@ -42,9 +42,9 @@ struct LumpedModel {
   double gravity{};  ///< m/s^2
   std::vector<mechanics::Link> links{};
   std::vector<Hinge> hinges{};      ///< one per link
-  std::vector<LumpedPair> pairs{};  ///< in the order of their joints, at most one per joint; each has its own current
+  std::vector<LumpedPair> pairs{};  ///< in the order of joints, at most one each, each with a current of its own
   std::vector<Effect> effects{};    ///< each kind at most once
-  AsBuilt as_built{};               ///< how the one that was built differs from these numbers
+  AsBuilt as_built{};               ///< differences between the built actuator and these numbers
 };
 
 /// The parts of a lumped model that take long to compute. Immutable; copies share them.

@@ -22,20 +22,20 @@ struct Hinge {
   mechanics::FaceContact contact{};
 };
 
-/// What a model is made of: the nominal stages, and the effects to be built into them.
+/// The parts of a model: the nominal stages, and the effects to be built into them.
 struct ModelSpec {
   mechanics::PlanarChain chain;
   std::vector<Hinge> hinges;  ///< one per joint
   MagneticStage magnetics;
-  int coils{};                    ///< how many currents the magnetics take; >= 0
-  mechanics::LinkPoint tip;       ///< what touches first when the finger grasps
+  int coils{};                    ///< number of currents that the magnetics take; >= 0
+  mechanics::LinkPoint tip;       ///< the point that touches first when the finger grasps
   std::vector<Effect> effects{};  ///< each kind at most once
   /// Places of the coils, for the forces among them that `magnetics` leaves out; null if the places are not known.
   std::shared_ptr<const CoilRow> coil_row{};
-  std::optional<double> coil_resistance{};  ///< of one coil at 20 degC, ohm, > 0; nothing for a lumped model
+  std::optional<double> coil_resistance{};  ///< of one coil at 20 degC, ohm, > 0; absent for a lumped model
   /// Share of the operating current that each coil carries, (coils), finite. Empty: each carries the whole.
   CoilCurrents current_shares{};
-  std::optional<TorqueCorrection> torque_correction{};  ///< that a fit found and that has no name
+  std::optional<TorqueCorrection> torque_correction{};  ///< a torque that a fit found and that has no name
 };
 
 }  // namespace coilwright::actuator

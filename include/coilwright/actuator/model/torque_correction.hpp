@@ -22,9 +22,8 @@ enum class CorrectionVariable { angle, rate, current };
 struct CorrectionAxis {
   CorrectionVariable variable{};
   std::vector<double> nodes{};  ///< SI, increasing; at least 3. The correction is valid from the first to the last
-  /// Scale below which the torque is smooth over the variable itself and above which it is smooth over its logarithm:
-  /// it is smooth over asinh(x / linear_below), SI, > 0. For a rate, which matters in all its orders of magnitude.
-  /// Absent: smooth over the variable.
+  /// Scale of a variable that matters in all its orders of magnitude, such as a rate, SI, > 0: the torque is smooth
+  /// over asinh(x / linear_below). Absent: it is smooth over the variable itself.
   std::optional<double> linear_below{};
   friend bool operator==(const CorrectionAxis&, const CorrectionAxis&) = default;
 };
@@ -36,8 +35,8 @@ struct CorrectionAxis {
 struct TorqueCorrection {
   std::vector<CorrectionAxis> axes{};  ///< one or two, of different variables
   std::vector<double>
-      torques{};               ///< N m, opening positive: for each node of the first axis those of the second in turn
-  std::optional<int> joint{};  ///< index of the only joint that has it; nothing: every joint has the same
+      torques{};  ///< N m, opening positive, in rows: for each node of the first axis all nodes of the second
+  std::optional<int> joint{};  ///< index of the only joint that has it; absent: every joint has the same
   friend bool operator==(const TorqueCorrection&, const TorqueCorrection&) = default;
 };
 

@@ -19,7 +19,7 @@ struct HingePair {
   int coil{};
   double sense = 1.0;  ///< product of the two polarities and the magnet's strength
   std::shared_ptr<const magnetics::Curve> torque_per_ampere;  ///< of one joint angle, N m/A, opening positive
-  std::shared_ptr<const HingePairParts> parts{};              ///< what it is made of; null where only a curve is known
+  std::shared_ptr<const HingePairParts> parts{};              ///< its parts; null if only a curve is known
   int magnet = -1;                                            ///< index among the magnets; -1: not known
 };
 
@@ -30,7 +30,7 @@ struct HingePair {
 /// the distance of the centres; this is exact on the axis and far away. With Orientation::ignored the pair pulls along
 /// the line of centres with its coaxial force.
 struct DistantPair {
-  /// How the pair's energy depends on the directions of its axes.
+  /// Dependence of the pair's energy on the directions of its axes.
   enum class Orientation { ignored, dipoles };
 
   mechanics::LinkPoint first;
@@ -40,7 +40,7 @@ struct DistantPair {
   double sense = 1.0;    ///< > 0 where like moments (both along the chain at unit current) face each other; magnitude:
                          ///< the product of its magnets' strengths
   int magnet = -1;       ///< index of its magnet among the magnets; -1: none, or not known
-  int second_magnet = -1;  ///< likewise of a second one
+  int second_magnet = -1;  ///< index of a second magnet among the magnets; -1: none, or not known
   Orientation orientation = Orientation::dipoles;
   std::shared_ptr<const magnetics::Curve>
       axial_force;  ///< of like moments on the second, N (per A, A^2), of the distance

@@ -17,7 +17,7 @@ namespace coilwright::formats {
 struct ActuatorFile {
   std::string name;
   std::variant<actuator::Design, actuator::Model> content;    ///< `actuator/1` or `lumped-model/1`
-  std::optional<actuator::OperatingPoint> operating_point{};  ///< of a design: for which it was sized
+  std::optional<actuator::OperatingPoint> operating_point{};  ///< for which a design was sized
 };
 
 /// Reads an actuator: a design (`"format": "actuator/1"`) or a lumped model (`"format": "lumped-model/1"`). Keys, units

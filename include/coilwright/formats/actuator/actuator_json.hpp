@@ -19,8 +19,8 @@ namespace coilwright::formats {
 
 /// The content of a lumped model's file, with other numbers.
 struct UpdatedLumpedModel {
-  text::Document document;  ///< as it was read, but for its numbers; its "effects" and "as_built" count no more
-  std::vector<actuator::Effect> effects;  ///< all of the model
+  text::Document document;  ///< as it was read, with other numbers; its "effects" and "as_built" are ignored
+  std::vector<actuator::Effect> effects;  ///< all effects of the model
   actuator::AsBuilt as_built{};
 };
 

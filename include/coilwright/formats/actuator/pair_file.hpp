@@ -20,7 +20,7 @@ struct PairFile {
   std::vector<std::string> names;           ///< of each, for people: "coil 1" where the file gives none
   std::vector<magnetics::Pose> poses{};     ///< of the last body; at least one
   std::optional<magnetics::Plate> plate{};  ///< beside them
-  std::optional<double> plate_radius{};     ///< m; how far the plate extends about its position, where that is told
+  std::optional<double> plate_radius{};     ///< extent of the plate about its position, m; absent: endless
   /// Whether the file lists its bodies and asks for the load on each. Otherwise it is a pair, and asks for the load on
   /// the second.
   bool listed{};

@@ -18,15 +18,15 @@ struct LayoutGuess {
   text::CsvLayout layout{};  ///< columns that have other names than ours, what is left over, a sampling rate
   measurement::data::RunKind kind{};
   measurement::data::Drive drive{};
-  std::vector<std::string> guessed{};  ///< what follows from no name and no unit, a sentence each
-  std::vector<std::string> asked{};    ///< what only a person knows, a sentence each
+  std::vector<std::string> guessed{};  ///< guesses that follow from no name and no unit, a sentence each
+  std::vector<std::string> asked{};    ///< facts that only a person knows, a sentence each
 };
 
 /// The known content of a table.
 struct TableContent {
-  std::optional<measurement::data::RunKind> kind{};  ///< of its run; nothing: that is guessed too
+  std::optional<measurement::data::RunKind> kind{};  ///< of its run; absent: that is guessed too
   bool input{true};                                  ///< a motion's: whether it should have the input
-  bool measured{true};                               ///< the same of measured values
+  bool measured{true};                               ///< whether a motion should have measured values
 };
 
 /// Guesses the layout of a table.
@@ -35,9 +35,9 @@ struct TableContent {
 /// A dataset.json drafted from the files of records.
 struct DatasetDraft {
   text::Json document{};
-  std::vector<std::string> guessed{};  ///< what a person should check, a sentence each
+  std::vector<std::string> guessed{};  ///< guesses that a person should check, a sentence each
   std::vector<std::string>
-      asked{};  ///< what only a person knows, a sentence each; without it `diagnose` refuses the set
+      asked{};  ///< facts that only a person knows, a sentence each; `diagnose` refuses a set without them
 };
 
 /// Drafts a measured-data/1 document in `folder` that names `actuator` (a path from there) and the files. A layout that

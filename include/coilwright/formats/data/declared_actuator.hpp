@@ -33,8 +33,8 @@ struct Calibrate {
   /// it.
   std::span<const std::string> names;
   std::string file;                         ///< dataset.json, for errors about a name
-  std::string_view pointer = "/calibrate";  ///< of the list in it
-  /// How well the declared numbers are known.
+  std::string_view pointer = "/calibrate";  ///< pointer to the list in it
+  /// Standard deviations of the declared numbers.
   measurement::replay::Tolerances tolerances = measurement::replay::Tolerances::exact();
   std::string_view tolerances_pointer = "/tolerances";
 };

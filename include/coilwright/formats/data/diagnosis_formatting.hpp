@@ -33,8 +33,8 @@ struct MovedNumberInUnit {
 };
 [[nodiscard]] MovedNumberInUnit in_unit(const measurement::MovedNumber& number);
 
-/// How far a declared number has moved, in its tolerances; positive if it is larger than declared. For a number that
-/// changes nothing at its value it is the least distance.
+/// Distance by which a declared number has moved, in its tolerances; positive if it is larger than declared. For a
+/// number that changes nothing at its value it is the least distance.
 [[nodiscard]] double tolerances_moved(const measurement::MovedNumber& number);
 
 /// Whether the diagnosis reports exactly these effects, in any order; false for none.

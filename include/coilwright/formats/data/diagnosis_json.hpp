@@ -14,10 +14,10 @@ namespace coilwright::formats {
 /// A diagnosis in words: what the summary says first, and what a page shows.
 struct DiagnosisSummary {
   std::string verdict{};                   ///< one sentence
-  std::vector<std::string> cautions{};     ///< what must be known beside it, a sentence or two each
-  std::vector<std::string> assumptions{};  ///< what was taken for granted: lines that spaces align
-  std::vector<std::string> rivals{};       ///< how sure it is, and what else it could be, a line each
-  std::vector<std::string> next_steps{};   ///< what to do next, the most useful first
+  std::vector<std::string> cautions{};     ///< remarks that a reader must see beside it, a sentence or two each
+  std::vector<std::string> assumptions{};  ///< assumptions, as lines aligned by spaces
+  std::vector<std::string> rivals{};       ///< certainty of the answer, and its rivals, a line each
+  std::vector<std::string> next_steps{};   ///< next steps, the most useful first
 };
 
 /// The results of `diagnose` that are to be written.
@@ -26,14 +26,14 @@ struct DiagnosisReport {
   std::string dataset{};                    ///< name of the data set
   std::string updated_actuator{};           ///< file of the updated actuator, beside the report
   bool is_design{};                         ///< it is a design, which studies vary; otherwise a lumped model
-  std::string corrected_actuator{};         ///< file of the one with a nameless correction; empty where there is none
+  std::string corrected_actuator{};         ///< file with a nameless correction; empty if there is none
   std::vector<std::string> held_out{};      ///< files that the tool itself kept from the fit
   std::uint64_t seed{};
-  std::string next_experiment_file{};  ///< of the next experiment, beside the report; empty: it is not written
+  std::string next_experiment_file{};  ///< file of the next experiment, beside the report; empty: it is not written
   /// Reasons why the actuator files are refused as input, a line each: a fit may find numbers that no actuator can
   /// have. Empty: they are accepted.
   std::vector<std::string> refused{};
-  std::optional<measurement::DesignPosterior> posterior{};  ///< of a design's numbers; nothing for a lumped model
+  std::optional<measurement::DesignPosterior> posterior{};  ///< of a design's numbers; absent for a lumped model
   DiagnosisSummary summary{};                               ///< report::summary_of the rest
 };
 

@@ -34,11 +34,11 @@ struct RunEntry {
   std::optional<double> sigma{};
   FileLayout layout{};                                ///< of its file
   std::optional<std::filesystem::path> input_file{};  ///< of a transient: its input, on a clock of its own
-  std::optional<FileLayout> input_layout{};           ///< of that; nothing: as of the run's file, and what must fit
-                                                      ///< must fit one of the two
+  std::optional<FileLayout> input_layout{};  ///< layout of the input file; absent: that of the run's file and of what
+                                             ///< must fit must fit one of the two
   measurement::data::InputHold hold{};
   measurement::data::RigChange rig{};
-  std::optional<double> clock_offset{};  ///< s, standard deviation of the shift of the clocks, >= 0; nothing: 0 in one
+  std::optional<double> clock_offset{};  ///< s, standard deviation of the shift of the clocks, >= 0; absent: 0 in one
                                          ///< file, with an `input_file` the median interval between measured samples
   double clock_rate{};                   ///< standard deviation of the relative difference of the clocks' rates; >= 0
   double exposure{};                     ///< s; >= 0
@@ -50,15 +50,15 @@ struct RunEntry {
 /// not throw it, because a run that is held out must not be examined.
 struct Objection {
   text::InputError error;
-  std::optional<text::CsvColumn> wrapped{};  ///< where a reading wraps: the column that says so
+  std::optional<text::CsvColumn> wrapped{};  ///< the column that states that a reading wraps
 };
 
 /// The content of a run's file.
 struct RunFile {
   measurement::data::Run run;
   std::optional<Objection> objection{};
-  std::vector<measurement::data::Warning> warnings{};  ///< how its rows were taken, where that is not plain
-  std::set<std::string> used{};                        ///< what of its layouts its files have a use for
+  std::vector<measurement::data::Warning> warnings{};  ///< remarks on irregular rows
+  std::set<std::string> used{};                        ///< names in its layouts that its files use
 };
 
 /// Reads the CSV file of a run, and that of its input if that is another file, as their layouts say. A row of a

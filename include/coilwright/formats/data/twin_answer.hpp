@@ -20,11 +20,11 @@ struct ClockOfRun {
 /// The hidden effects, noise and clocks of a twin's data.
 struct TwinAnswer {
   std::string dataset{};   ///< folder of the data set
-  std::string actuator{};  ///< file that it was made from
+  std::string actuator{};  ///< actuator file from which it was made
   std::string experiment{};
   std::span<const actuator::Effect> effects{};
   const measurement::planning::Instruments& instruments;
-  std::vector<ClockOfRun> clocks{};  ///< of the runs that have two clocks
+  std::vector<ClockOfRun> clocks{};  ///< clocks of the runs that have two
   std::uint64_t seed{};
 };
 

@@ -26,8 +26,8 @@ struct ArchiveSummary {
 /// A design of an archive, evaluated again.
 struct Replay {
   std::int64_t row{};           ///< its id
-  sizing::Evaluation recorded;  ///< what the archive says
-  sizing::Evaluation again;     ///< what this program says
+  sizing::Evaluation recorded;  ///< evaluation in the archive
+  sizing::Evaluation again;     ///< evaluation by this program
   archive::Contents contents;   ///< of the archive
   archive::Program program;     ///< this one
 };
@@ -35,8 +35,8 @@ struct Replay {
 /// A number that differs at the second evaluation.
 struct Difference {
   std::string name;      ///< "mass_g", "mass_g <= 70", "failure"
-  std::string recorded;  ///< with every digit; "none" where there is none
-  std::string again;     ///< the same
+  std::string recorded;  ///< recorded value with every digit; "none" if there is none
+  std::string again;     ///< new value with every digit; "none" if there is none
 };
 
 /// All differences, in the order of the archive's columns; empty if every bit is the same.

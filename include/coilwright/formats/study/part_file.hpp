@@ -41,7 +41,7 @@ struct FileOfPart {
 /// because no digest would guard them here.
 struct PartFile {
   sizing::Part part{};
-  archive::Contents whole{};  ///< the same in all parts, but for the paths of its inputs; no columns, no physics
+  archive::Contents whole{};  ///< equal in all parts except for the paths of its inputs; without columns and physics
   Machine machine{};
   std::vector<FileOfPart> files{};
 };
@@ -66,10 +66,10 @@ inline constexpr const char* found_name = "found.json";
 /// The results of a part of a sweep, beside its rows.
 struct SweepPart {
   std::size_t count{};                           ///< designs of the whole sweep
-  sizing::Keep keep = sizing::Keep::all;         ///< which of them are rows
-  std::optional<sizing::DesignSample> sample{};  ///< nothing: the grid
-  sizing::SweepTotals totals{};                  ///< of the part; its designs are those of its range, and not kept
-  std::vector<sizing::SweptDesign> kept{};       ///< SweepSummary::kept() of it
+  sizing::Keep keep = sizing::Keep::all;         ///< kind of designs that are rows
+  std::optional<sizing::DesignSample> sample{};  ///< absent: the grid
+  sizing::SweepTotals totals{};  ///< totals of the part; its designs are those of its range, whether kept or not
+  std::vector<sizing::SweptDesign> kept{};  ///< SweepSummary::kept() of it
 };
 [[nodiscard]] text::Json to_json(const SweepPart& part);
 [[nodiscard]] SweepPart read_sweep_part(const text::Node& results);

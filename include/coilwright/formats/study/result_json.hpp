@@ -18,10 +18,10 @@ struct ArchiveCounts {
   std::size_t ok{};
   std::size_t infeasible{};
   std::size_t failed{};
-  std::size_t left_out{};       ///< that a limit excludes by shape, winding and current, and that were not evaluated
-  std::size_t of_ends{};        ///< of those evaluated, proposed to better one end of a front
-  std::string rarest_limit{};   ///< the one that fewest of those evaluated keep; empty without limits
-  std::size_t keep_rarest{};    ///< by how many it is kept
+  std::size_t left_out{};       ///< designs that a limit excludes by shape, winding and current, without an evaluation
+  std::size_t of_ends{};        ///< evaluated designs that were proposed to better one end of a front
+  std::string rarest_limit{};   ///< limit that the fewest evaluated designs keep; empty without limits
+  std::size_t keep_rarest{};    ///< number of designs that keep it
   std::string usual_failure{};  ///< the most frequent reason of those that failed
 };
 [[nodiscard]] ArchiveCounts counts_of(const sizing::Archive& archive);

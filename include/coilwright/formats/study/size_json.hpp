@@ -23,11 +23,11 @@ struct SizeReport {
   const sizing::SearchResult& result;   ///< of the search
   const sizing::DesignResult* best{};   ///< `result.best` evaluated again; nullptr if nothing was evaluated
   const sizing::DesignResult& base;     ///< the actuator that the study starts from
-  const sizing::Evaluation& base_seen;  ///< what the search would be told of it
-  std::vector<sizing::AssumptionEffect> assumptions{};  ///< of a feasible answer; empty where none was looked at
+  const sizing::Evaluation& base_seen;  ///< evaluation of that actuator as the search would see it
+  std::vector<sizing::AssumptionEffect> assumptions{};  ///< of a feasible answer; empty if none was looked at
   std::size_t
-      assumptions_left{};  ///< how many other choices were not looked at: the run was interrupted, or asked for no more
-  std::optional<sizing::Yield> built{};  ///< of a feasible answer to a study with a spread, unless left out likewise
+      assumptions_left{};  ///< number of other choices not evaluated: the run was interrupted, or did not ask for them
+  std::optional<sizing::Yield> built{};  ///< builds of a feasible answer to a study with a spread, unless left out
 };
 
 /// Number of designs evaluated under other modelling choices, beyond those of the search and around its answer.

@@ -24,7 +24,7 @@ using StudyChanges = std::vector<std::string>;
 /// block's.
 [[nodiscard]] std::optional<std::string> block_pointer(std::string_view name);
 
-/// How a study is read, as far as its files do not say it.
+/// Settings for reading a study that are not in its files.
 struct StudyReading {
   /// The rows that objectives and constraints may name. The study keeps it as the table of its results.
   const simulation::QuantityTable& quantities = simulation::standard_quantities();
@@ -50,8 +50,8 @@ struct StudyReading {
 struct StudyFile {
   sizing::Study study;
   std::filesystem::path actuator;                  ///< the file of its own actuator
-  std::optional<std::filesystem::path> posterior;  ///< the diagnosis of its spread; nothing: it has none
-  bool builds_a_system{};                          ///< it has a block "gripper", "crawler" or "driver"
+  std::optional<std::filesystem::path> posterior;  ///< the diagnosis of its spread; absent: it has none
+  bool builds_a_system{};                          ///< whether it has a block "gripper", "crawler" or "driver"
 };
 
 /// Parses a study together with those parts of its file.
@@ -61,7 +61,7 @@ struct StudyFile {
 struct ObjectiveCount {
   std::size_t least{};
   std::size_t most{};
-  std::string_view rule;  ///< end of a sentence
+  std::string_view rule;  ///< the rule, as the end of a sentence
 };
 inline constexpr ObjectiveCount objectives_of_size{1, 1, "must be one for size (pareto takes two or three)"};
 inline constexpr ObjectiveCount objectives_of_pareto{2, 3, "must be two or three for pareto (size takes one)"};

@@ -17,13 +17,13 @@ namespace coilwright::formats {
 struct SweepReport {
   const sizing::Study& study;
   std::size_t designs{};    ///< in the grid, or that differ in the sample
-  std::size_t evaluated{};  ///< of those; fewer after an interruption
-  std::size_t ok{};         ///< of those evaluated: keep every limit
+  std::size_t evaluated{};  ///< designs evaluated; fewer after an interruption
+  std::size_t ok{};         ///< evaluated designs that keep every limit
   std::span<const sizing::Leader> leaders;
-  std::span<const sizing::BrokenPartLimit> broken{};  ///< by those leaders that keep every limit of the study
-  std::optional<sizing::DesignSample> sample{};       ///< nothing: the grid
+  std::span<const sizing::BrokenPartLimit> broken{};  ///< limits of parts that leaders break which keep every limit
+  std::optional<sizing::DesignSample> sample{};       ///< absent: the grid
   sizing::Keep keep = sizing::Keep::all;
-  std::span<const sizing::QuantityTotal> totals{};  ///< by quantity of the study; empty where all rows are kept
+  std::span<const sizing::QuantityTotal> totals{};  ///< by quantity of the study; empty if all rows are kept
 };
 
 /// The counts, and for each leader its configuration, variables, objectives, constraints and the limits of parts that

@@ -14,8 +14,8 @@ struct SimulatedMotion {
   const actuator::Model& model;
   const simulation::ModelInput& input;
   const simulation::RecordedMotion& motion;
-  std::string table{};  ///< whose samples the motion is shown at, for people; empty: no table's
-  std::string cure{};   ///< the option or argument that shows it between them
+  std::string table{};  ///< table whose samples show the motion, for people; empty: none
+  std::string cure{};   ///< the option or argument that shows the motion between them
   /// The largest current in every coil that the actuator's own supply drives, with coils at 20 degC, A; absent if it is
   /// not known.
   std::optional<double> supply_drives{};

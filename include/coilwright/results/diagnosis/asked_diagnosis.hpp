@@ -18,7 +18,7 @@ struct AskedDiagnosis {
   std::filesystem::path declared_file;
   formats::DeclaredActuator declared;
   Provenance provenance;
-  actuator::EffectCatalogue effects;  ///< that the model may lack or has
+  actuator::EffectCatalogue effects;  ///< effects that the model has or may lack
 };
 
 /// Reads a data set and the actuator that it names, or the file `actuator` instead. Throws text::InputError.

@@ -17,11 +17,11 @@ inline constexpr std::array diagnosis_files = {"diagnosis.json",      "actuator.
 
 /// The answer of a diagnosis as texts.
 struct DiagnosisAnswer {
-  std::string summary{};             ///< what a person is told
+  std::string summary{};             ///< the text of summary.txt
   std::string json{};                ///< diagnosis.json
   std::string actuator{};            ///< the corrected actuator's file
-  std::string corrected_actuator{};  ///< with the nameless correction; empty where there is none
-  std::string next_experiment{};     ///< an experiment/1; empty where none is proposed
+  std::string corrected_actuator{};  ///< the actuator with the nameless correction; empty if there is none
+  std::string next_experiment{};     ///< an experiment/1; empty if none is proposed
 };
 
 /// The texts of a diagnosis, or of the results so far of one that was interrupted. The actuators are read back first.

@@ -15,7 +15,7 @@ namespace coilwright::sizing {
 /// One evaluated design.
 struct Record {
   std::vector<double> point;  ///< variables, in the problem's order
-  Evaluation evaluation;      ///< what came out
+  Evaluation evaluation;      ///< the evaluation of the design
   std::size_t number = 0;     ///< place in the order of evaluation, from 1; 0 without one (see Archive::number)
   /// The proposer of the design, as docs/formats-results.md lists them: "end", "gap", ...; empty for a design that no
   /// search asked for.

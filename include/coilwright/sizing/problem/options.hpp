@@ -36,7 +36,7 @@ enum class Algorithm {
 /// All algorithms, in the order of the enumeration.
 [[nodiscard]] const std::vector<Algorithm>& algorithms();
 
-/// What a search reports while it runs.
+/// A report of a search while it runs.
 struct Progress {
   std::size_t evaluations{};      ///< number of designs evaluated so far
   std::size_t max_evaluations{};  ///< number of designs allowed

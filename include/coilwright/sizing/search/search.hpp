@@ -17,8 +17,8 @@ struct SearchResult {
   /// interrupted before its first evaluation.
   std::optional<Record> best{};
   bool feasible{};                        ///< whether `best` meets every constraint
-  StopReason stop_reason{};               ///< why the search ended; interrupted where what followed it was
-  StopReason search_stop_reason{};        ///< why the search ended, whatever came of what followed it
+  StopReason stop_reason{};               ///< why the search ended; interrupted if the steps after it were
+  StopReason search_stop_reason{};        ///< why the search itself ended
   std::size_t search_evaluations{};       ///< number of designs that the search evaluated, at most max_evaluations
   std::size_t sensitivity_evaluations{};  ///< number evaluated afterwards for `sensitivity`, beyond max_evaluations
   /// If nothing is feasible: the constraints that `best` violates, worst first, or why it could not be evaluated.

@@ -29,18 +29,18 @@ namespace coilwright::sizing {
 
 /// Results that are computed after the search for one objective, beside the surroundings of its answer.
 struct AfterSearch {
-  std::optional<DesignResult> best{};           ///< the design found, evaluated again; nothing if nothing was evaluated
+  std::optional<DesignResult> best{};           ///< the design found, evaluated again; absent if nothing was evaluated
   DesignResult base;                            ///< the actuator that the study starts from
-  Evaluation base_seen{};                       ///< what the search would be told of it
+  Evaluation base_seen{};                       ///< evaluation of that actuator as the search would see it
   std::optional<Yield> built{};                 ///< builds of a feasible answer to a study with a spread
   std::vector<AssumptionEffect> assumptions{};  ///< of a feasible answer
-  std::size_t assumptions_left{};               ///< how many of those were not looked at
+  std::size_t assumptions_left{};               ///< number of choices and numbers not evaluated
 };
 
 /// Options of after_search(). A study whose search has `Afterwards::nothing` has neither builds nor choices.
 struct AfterSearchOptions {
   std::size_t builds = 2000;  ///< by fresh dice
-  std::stop_token stop{};     ///< ends it early; what is missing then is left out
+  std::stop_token stop{};     ///< ends the work early; missing results are left out
   /// Evaluates a point under another modelling choice, as in AssumptionOptions. May be empty.
   decltype(AssumptionOptions::evaluate) evaluate{};
   ///@{

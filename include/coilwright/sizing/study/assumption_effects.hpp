@@ -28,12 +28,12 @@ struct WorstMargin {
 struct AssumptionEffect {
   actuator::OtherChoice choice;      ///< its design is the answer's own
   Evaluation evaluation;             ///< of the answer under the other choice
-  std::optional<WorstMargin> worst;  ///< of that
-  bool is_built = true;  ///< false: its model cannot be worked out under the choice, which says nothing about that
-  std::optional<Record> other_best;  ///< the best feasible design that a short search under it found; nothing if none
-  bool changes_design{};             ///< whether that one would be chosen instead
-  std::size_t evaluations{};         ///< of designs, for all this
-  double gain{};                     ///< of the objective, over its value in the answer; negative where it is worse
+  std::optional<WorstMargin> worst;  ///< worst limit of that evaluation
+  bool is_built = true;  ///< false: its model cannot be computed under the choice, which says nothing about the choice
+  std::optional<Record> other_best;  ///< the best feasible design that a short search under it found; absent if none
+  bool changes_design{};             ///< whether that design would be chosen instead
+  std::size_t evaluations{};         ///< number of designs evaluated for all this
+  double gain{};                     ///< gain of the objective, over its value in the answer; negative if it is worse
 
   /// Whether the answer depends on the assumption: it breaks a limit or has no figures, leads to another design, or
   /// changes the objective by simulation::change_that_matters.

@@ -21,9 +21,9 @@ namespace coilwright::sizing {
 /// A limit of coils, magnets or wire that designs break because no limit of their study forbids it.
 struct BrokenPartLimit {
   std::string_view quantity{};  ///< "magnet_temperature_degC"
-  std::string consequence{};    ///< what happens beyond it, as the end of a sentence
+  std::string consequence{};    ///< consequence of exceeding it, as the end of a sentence
   bool conditional = false;     ///< as in simulation::PartLimit
-  std::size_t designs{};        ///< how many break it; > 0
+  std::size_t designs{};        ///< number of designs that break it; > 0
 };
 
 /// The broken limits of the designs that an answer to `study` recommends, unconditional ones first; empty if all keep

@@ -15,7 +15,7 @@ class ExactSum {
   explicit ExactSum(const std::string& text);
 
   void add(double value);           ///< finite
-  void add(const ExactSum& other);  ///< as if all of its numbers were added
+  void add(const ExactSum& other);  ///< adds all numbers of another sum
 
   /// The sum as a double, to within one unit of its last digit; infinite beyond the largest double.
   [[nodiscard]] double value() const;

@@ -10,9 +10,9 @@ namespace coilwright::sizing {
 /// A quantity that a study computes from others.
 struct Expression {
   std::string text;  ///< "grasp_force_N / mass_g": names of quantities, in the units of their names
-  std::string name;  ///< what the result is called, without a unit: letters, digits and "_", a letter first
+  std::string name;  ///< name of the result, without a unit: letters, digits and "_", a letter first
   std::string unit;  ///< of the result: "N/g"; "1" for a plain number
-  double scale = 0;  ///< an ordinary magnitude of the result; 0: what the scales of the quantities in it give
+  double scale = 0;  ///< an ordinary magnitude of the result; 0: that of the scales of its quantities
 };
 
 /// An expression names something that is no quantity.

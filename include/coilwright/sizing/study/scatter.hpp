@@ -30,7 +30,7 @@ struct StudyDriver {
   /// the design then cannot be operated and has no performance.
   simulation::ResultQuantity duty;
   simulation::ResultQuantity ripple_heat;      ///< heat of the coils beyond that of their mean current, %
-  simulation::ResultQuantity thermal_load;     ///< thermal_load with that heat, of which no other quantity knows
+  simulation::ResultQuantity thermal_load;     ///< thermal_load with that heat, which no other quantity includes
   simulation::ResultQuantity peak_over_limit;  ///< of all coils together, over what the driver bears
 };
 
@@ -97,7 +97,7 @@ struct Spread {
   double share_of_uses = 0.99;
   /// The current if it follows from the built design. Empty: it is that of the operating point.
   DrivenCurrent driven{};
-  std::optional<StudyDriver> driver{};  ///< that has to give the current of a build too; nothing: anything does
+  std::optional<StudyDriver> driver{};  ///< that has to give the current of a build, too; absent: none has to
 };
 
 }  // namespace coilwright::sizing

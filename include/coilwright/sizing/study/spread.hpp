@@ -62,7 +62,7 @@ struct Statistic {
 /// "sd_mass_g" and "p05_worst_grasp_force_N"; absent for another name.
 struct StatisticName {
   Statistic statistic;
-  bool of_worst_use{};  ///< said by the name
+  bool of_worst_use{};  ///< whether the name asks for the worst use
   std::string quantity;
 };
 [[nodiscard]] std::optional<StatisticName> statistic_named(std::string_view name);

@@ -49,7 +49,7 @@ struct NamedLayout {
 
 /// The row of coils and magnets, if it varies.
 struct LayoutVariable {
-  std::string name = "layout";  ///< "configuration", "layout" or "polarity": of what its values are
+  std::string name = "layout";  ///< "configuration", "layout" or "polarity", by the kind of its values
   std::vector<NamedLayout> values;
 };
 
@@ -60,7 +60,7 @@ struct LayoutVariable {
 /// actuator.
 struct SettingVariable {
   std::string name;  ///< as in simulation::Settings, which has its values; ends with its unit
-  double base{};     ///< where the search begins, in the unit of the name
+  double base{};     ///< value at which the search begins, in the unit of the name
   std::variant<Interval, Choice> range;
 };
 using StudyVariable = std::variant<ParameterVariable, CurrentVariable, LayoutVariable, SettingVariable>;
@@ -102,7 +102,7 @@ using VariableValue = std::variant<double, std::string_view>;
 struct StudyObjective {
   simulation::ResultQuantity quantity;  ///< of the study's table or the program's own
   Sense sense = Sense::maximise;
-  std::optional<simulation::ResultQuantity> of_build{};  ///< where `quantity` is a statistic of builds, what it is of
+  std::optional<simulation::ResultQuantity> of_build{};  ///< the quantity of one build behind a statistic
 };
 
 /// A quantity that must not pass a limit, in the unit of its name.
@@ -112,7 +112,7 @@ struct Limit {
   simulation::ResultQuantity quantity;
   Side side = Side::at_most;
   double value{};
-  std::optional<simulation::ResultQuantity> of_build{};  ///< as that of an objective
+  std::optional<simulation::ResultQuantity> of_build{};  ///< as for an objective
 };
 
 /// The quantity of one build to which an objective or a limit refers.
@@ -149,8 +149,8 @@ struct Study {
   std::string name;
   actuator::Design base;  ///< actuator with its calibration; variables are set on a copy of it
   std::variant<VariedCurrent, FixedCurrent, ShareOfLimit, DrivenCurrent> current;
-  /// How the designs are driven and used. `current` decides the current, and the duty if that is driven. `cases` are as
-  /// stated; poses_of_use() gives those that the study asks for.
+  /// The drive and the use of the designs. `current` decides the current, and the duty if that is driven. `cases` are
+  /// as stated; poses_of_use() gives those that the study asks for.
   actuator::OperatingPoint operating{};
   std::vector<StudyVariable> variables;
   std::vector<StudyObjective> objectives;

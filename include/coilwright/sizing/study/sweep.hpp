@@ -51,7 +51,7 @@ struct DesignSample {
 struct SweepOptions {
   unsigned threads = 0;                       ///< designs evaluated at the same time; 0: one per core
   std::vector<std::vector<double>> points{};  ///< evaluated in place of the grid; empty: the grid
-  std::optional<IndexRange> only{};           ///< the designs with these indices; nothing: all
+  std::optional<IndexRange> only{};           ///< the designs with these indices; absent: all
   std::stop_token stop{};                     ///< ends the sweep early
   /// Evaluates the point of that index, with the bits of the problem's own evaluation; it may answer from a record.
   /// Called from several threads at once. Empty: the problem's own evaluation.

@@ -18,8 +18,8 @@ namespace coilwright::sizing {
 enum class Keep {
   all,
   feasible,  ///< those that keep every limit
-  front,     ///< of these, the ones that no other beats in every objective
-  best       ///< none but the best of each configuration
+  front,     ///< designs that no other one beats in every objective, among the feasible ones
+  best       ///< only the best of each configuration
 };
 
 /// The word of each in options and results.
@@ -30,20 +30,20 @@ inline constexpr std::array<std::pair<std::string_view, Keep>, 4> keep_words = {
 
 /// Statistics of a quantity over the designs of a sweep that have a value of it, in its unit.
 struct QuantityTotal {
-  std::size_t designs{};  ///< how many have one
+  std::size_t designs{};  ///< number of designs with a value
   ExactSum sum{};         ///< of their values
-  double least{};         ///< 0 without a design, as is the next
+  double least{};         ///< least value; 0 without a design, as is the next
   double greatest{};
 
   void add(double value);                ///< of one more design
-  void add(const QuantityTotal& other);  ///< of other designs
+  void add(const QuantityTotal& other);  ///< adds the values of other designs
 };
 
 /// Counts of a sweep, or of a part of one.
 struct SweepTotals {
   std::size_t designs{};                    ///< evaluated
-  std::size_t ok{};                         ///< of those: keep every limit
-  std::vector<QuantityTotal> quantities{};  ///< in the order of the study's table; empty where all rows are kept
+  std::size_t ok{};                         ///< evaluated designs that keep every limit
+  std::vector<QuantityTotal> quantities{};  ///< in the order of the study's table; empty if all rows are kept
 };
 
 /// The summary of a sweep, which takes in its designs one by one in their order. Its memory holds the best of each

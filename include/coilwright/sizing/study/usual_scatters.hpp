@@ -15,8 +15,8 @@ enum class Making {
 
 /// The usual scatter of a number of an actuator that is built by one of these methods.
 struct UsualScatter {
-  Scatter scatter;          ///< of one build about what was designed
-  std::string_view source;  ///< where the figure is from, or that it is assumed
+  Scatter scatter;          ///< scatter of one build about its design
+  std::string_view source;  ///< source of the figure, or that it is assumed
 };
 
 /// One row for each of actuator::number_widths() and for each number of single joints or magnets; `coilwright list

@@ -29,7 +29,7 @@ struct BuiltQuantity {
   std::optional<double> nominal{};  ///< of the design itself
   std::optional<double> p05{}, p50{}, p95{};
   std::string limit{};           ///< "mass_g <= 70"; empty for an objective
-  std::optional<Share> keeps{};  ///< of the builds that keep that limit; nothing for an objective
+  std::optional<Share> keeps{};  ///< of the builds that keep that limit; absent for an objective
   /// The share that the study asks for by a percentile: 0.95 for "p95_mass_g <= 70"; absent for another limit.
   std::optional<double> asked{};
   /// Share of its uses in which a build must keep the limit to count; 1 for all. Absent if each build is judged in the
@@ -42,10 +42,10 @@ struct BuiltQuantity {
 
 /// The effect of one scatter of the spread, or of a group of correlated ones, on each quantity and on the yield.
 struct ScatterWorth {
-  std::string scatter;  ///< its name, or that of those that move together
+  std::string scatter;  ///< name of the scatter, or of the correlated group
   /// Indices, one for each quantity, in their order; absent if a quantity does not vary or some build lacks it.
   std::vector<std::optional<SobolIndex>> first{}, total{};
-  Share keeps_all{};  ///< of builds in which it deviates half as far, by the same dice
+  Share keeps_all{};  ///< share of the builds, by the same dice, in which it deviates half as far
 };
 
 /// A cause for which builds lack a requested value.
@@ -57,18 +57,18 @@ struct FailureCause {
 /// The statistics of the builds of a design.
 struct Yield {
   std::size_t builds{};
-  std::size_t not_built{};               ///< without a performance, as one whose driver cannot give the current
-  std::vector<FailureCause> failures{};  ///< most builds first; at most five, the last then "other causes"
+  std::size_t not_built{};  ///< builds without a performance, such as one whose driver cannot give the current
+  std::vector<FailureCause> failures{};  ///< causes of most builds first; at most five, the last then "other causes"
   Share keeps_all{};                     ///< of the builds that keep every limit
   std::vector<BuiltQuantity> quantities{};
-  std::vector<ScatterWorth> worths{};  ///< one a scatter; empty where none were asked for
-  std::size_t worths_left{};           ///< scatters whose worth was asked for and not worked out: it was stopped
+  std::vector<ScatterWorth> worths{};  ///< one a scatter; empty if none were asked for
+  std::size_t worths_left{};           ///< scatters whose worth was requested and not computed because of a stop
 };
 
 /// Settings of a yield.
 struct YieldOptions {
-  std::size_t builds = 1000;     ///< by fresh dice, which know nothing of those of a search; >= 10
-  std::size_t worth_builds = 0;  ///< of every sum of a Sobol index and of every halved scatter; 0: no worths
+  std::size_t builds = 1000;     ///< number of builds by fresh dice, independent of those of a search; >= 10
+  std::size_t worth_builds = 0;  ///< number for every sum of a Sobol index and for every halved scatter; 0: no worths
   std::uint64_t seed = 1;
   unsigned threads = 0;  ///< 0: one per core; the answer does not depend on it
   std::stop_token stop{};
@@ -86,9 +86,9 @@ struct YieldOptions {
 
 /// One build of a yield.
 struct Build {
-  std::vector<std::optional<double>> values{};  ///< of what is asked for, in the unit of each
-  bool has_performance = true;                  ///< else it has no values
-  std::string failure{};                        ///< the first words of why it lacks one; empty where it has all
+  std::vector<std::optional<double>> values{};  ///< requested quantities, in the unit of each
+  bool has_performance = true;                  ///< false: it has no values
+  std::string failure{};  ///< the first words of the reason why it lacks a value; empty if it has all
 };
 
 /// A yield in parts: the builds of builds_in() over ranges that cover builds_of() give yield_from() the bits of

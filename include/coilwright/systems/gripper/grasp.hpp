@@ -13,10 +13,11 @@ namespace coilwright::systems::gripper {
 /// The load and the currents of a grasp.
 struct GraspTask {
   double current{};       ///< in every coil of all fingers, A, from t = 0; finite
-  double open_current{};  ///< before that, while the object is put between them, A; below zero it opens them; finite
-  double acceleration{};  ///< upwards, that the hold must survive beside gravity, m/s^2; finite, >= 0
-  double step = 2e-3;     ///< the longest of the time stepping, s; > 0, at most 2e-3. What moves takes shorter ones.
-  bool find_capacity = true;  ///< whether to go on loading until the object is lost
+  double open_current{};  ///< current before that, while the object is put between them, A; a negative one opens them;
+                          ///< finite
+  double acceleration{};  ///< upward acceleration that the hold must survive beside gravity, m/s^2; finite, >= 0
+  double step = 2e-3;     ///< the longest time step, s; > 0, at most 2e-3. Motion takes shorter ones.
+  bool find_capacity = true;  ///< whether the load is increased until the object is lost
 };
 
 /// A place where a finger presses on the object.
@@ -33,15 +34,15 @@ struct GraspContact {
 struct Grasp {
   bool holds{};              ///< the load was still held, at rest, 0.2 s after it was reached
   bool both_touched{};       ///< both fingers reached the object
-  double missing{};          ///< how near the finger came that stayed away, m; 0 where both touched
+  double missing{};          ///< least distance of the finger that did not touch, m; 0 if both touched
   double closing_time{};     ///< from the current to the touch of the later finger, s; infinite if one never touched
   double load{};             ///< mass times gravity and acceleration, N
-  double capacity{};         ///< what the fingers carried when the object began to slip, N; 0 without a grasp
+  double capacity{};         ///< force of the fingers on the object when it began to slip, N; 0 without a grasp
   bool capacity_is_bound{};  ///< the object was still held at ten times its load: the capacity is at least that
-  double settling{};         ///< how far the object sank between the end of support and the full load, m
+  double settling{};         ///< way by which the object sank between the end of support and the full load, m
   double magnet_force{};     ///< largest force between two magnets of different fingers while holding, N
   mechanics::JointVector left, right;  ///< joint angles, rad: at the end of the hold, or of closing if it does not hold
-  std::vector<GraspContact> contacts;  ///< mean of the 20 ms before that
+  std::vector<GraspContact> contacts;  ///< mean over the last 20 ms of that time
 
   /// Capacity over load; 1 and more where it holds.
   [[nodiscard]] double margin() const { return load > 0.0 ? capacity / load : 0.0; }

@@ -16,8 +16,8 @@ namespace coilwright::systems::gripper {
 
 /// The least value of a number with which an object is held.
 struct LeastToHold {
-  double most{};                  ///< up to which it was looked for
-  std::optional<double> found{};  ///< nothing: not even the most holds it
+  double most{};                  ///< largest value tried
+  std::optional<double> found{};  ///< absent: not even the largest holds it
 };
 
 /// The answer of `grip`: the state of the object and of the fingers.
@@ -25,18 +25,18 @@ struct GripAnswer {
   Mounting mounting{};
   Object object{};
   double current{};   ///< A, in every coil
-  bool is_of_file{};  ///< whether it is that of the file's operating point
+  bool is_of_file{};  ///< whether that is the current of the file's operating point
   Grasp grasp;
   PlacementTolerance tolerance{};  ///< of an object that is held
   double cost{};                   ///< US$, of the gripper with driver and supply
-  double burns_from{};             ///< A: from this current on a finger bent like that has no steady temperature
+  double burns_from{};  ///< smallest current from which on a finger in that pose has no steady temperature, A
   std::optional<simulation::Heat> heat{};  ///< of one finger at the pose of the hold
   /// Demagnetisation of a straight finger's magnets at 20 degC; absent if they have no grade.
   std::optional<actuator::Demagnetisation> magnets_cold{};
   /// Demagnetisation at the temperatures of a hold without end; absent if there are none.
   std::optional<actuator::Demagnetisation> magnets_held{};
-  std::optional<LeastToHold> least_current{};   ///< A; nothing: not asked for
-  std::optional<LeastToHold> least_friction{};  ///< coefficient; nothing: not asked for
+  std::optional<LeastToHold> least_current{};   ///< A; absent: not asked for
+  std::optional<LeastToHold> least_friction{};  ///< coefficient; absent: not asked for
 
   /// Whether a finger in that pose has no steady temperature at this current.
   [[nodiscard]] bool burns() const { return std::abs(current) >= burns_from; }
@@ -60,8 +60,8 @@ struct GripAnswer {
 
 /// Further questions about a grip; 0: not asked.
 struct GripSearch {
-  double most_current{};   ///< A, up to which the least one that holds is looked for
-  double most_friction{};  ///< coefficient, likewise
+  double most_current{};   ///< largest current tried for the least one that holds, A; 0: not asked for
+  double most_friction{};  ///< largest coefficient tried for the least one that holds; 0: not asked for
 };
 
 /// Closes fingers of `design` that hang as `mounting` says on the object, lifts it, loads it until it slips, and

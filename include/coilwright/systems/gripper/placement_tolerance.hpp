@@ -19,16 +19,16 @@ inline constexpr std::array<double, 9> tried_angles = {0.004363323129985824, 0.0
 /// The largest of the tried deviations of one number up to which each leaves the object held; 0 if the first one loses
 /// it. If it is the last one tried, the tolerance may be larger.
 struct Tolerance {
-  double below{};  ///< of the number being smaller; >= 0
-  double above{};  ///< of its being larger; >= 0
+  double below{};  ///< for a smaller value of the number; >= 0
+  double above{};  ///< for a larger value of the number; >= 0
 };
 
 /// Tolerances of a grasp against deviations from the plan, one number at a time.
 struct PlacementTolerance {
-  Tolerance height;          ///< of the object's centre, m; above: nearer to the palm
+  Tolerance height;          ///< of the object's centre, m; `above` is nearer to the palm
   Tolerance width;           ///< of the object, m; its mass stays
   Tolerance spacing;         ///< of the fingers' base joints, m; the object stays
-  Tolerance mounting_angle;  ///< of all fingers, rad; above: further open
+  Tolerance mounting_angle;  ///< of all fingers, rad; `above` is further open
 
   /// The smallest of those of height, width and spacing, m.
   [[nodiscard]] double smallest_length() const;

@@ -47,7 +47,7 @@ struct ResponseFigures {
   double largest{};       ///< of all frames
   double fastest{};       ///< largest rise from a frame to the next, rad/s
   double late_mean{};     ///< over the last period of a sine, over the last tenth of a step
-  double peak_to_peak{};  ///< likewise
+  double peak_to_peak{};  ///< over the last period of a sine, over the last tenth of a step
 };
 /// Figures of the record by one fidelity.
 [[nodiscard]] ResponseFigures figures(const CameraRecord& record, magnetics::Fidelity fidelity);

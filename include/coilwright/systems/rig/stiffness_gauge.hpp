@@ -12,9 +12,9 @@ namespace coilwright::systems::rig {
 /// joint open, all others straight.
 struct StiffnessGauge {
   std::vector<double> angles = {};  ///< of the joint, rad; above 0 to 120 degrees, at least one
-  std::optional<int> joint{};       ///< from 0 at the base; nothing: the last, as the paper has it
+  std::optional<int> joint{};       ///< from 0 at the base; absent: the last, as the paper has it
   std::optional<double> height{};  ///< of the gauge along the last segment, from its joint, m; > 0, not beyond the tip;
-                                   ///< nothing: its tip
+                                   ///< absent: its tip
 };
 
 /// The paper's settings: 15 to 90 degrees in steps of 15.
@@ -32,8 +32,8 @@ struct StiffnessPoint {
   double angle{};                           ///< rad
   PerFidelity<StiffnessReading> level{};    ///< the plane of bending level: no weight in the reading
   PerFidelity<StiffnessReading> hanging{};  ///< under the design's gravity and tilt
-  double hinge_torque{};                    ///< that the hinge alone asks for, N m
-  double first_hinge_torque{};              ///< the same of the first joint at this angle
+  double hinge_torque{};                    ///< torque that the hinge alone needs, N m
+  double first_hinge_torque{};              ///< hinge torque of the first joint at this angle, N m
 };
 
 /// All readings of one gauge.

@@ -13,7 +13,7 @@ struct Comparison {
   double model{};        ///< in that unit
   double band_low{};     ///< model over reference may lie between band_low
   double band_high{};    ///< and band_high
-  std::string because;   ///< where the difference comes from
+  std::string because;   ///< reason of the difference
 
   /// Model over reference.
   [[nodiscard]] double ratio() const { return model / reference; }

@@ -36,13 +36,13 @@ struct CsvMarkers {
 
 /// The layout of a table as far as it is stated; absent values are found in the file.
 struct CsvLayout {
-  std::size_t skip_lines{0};              ///< which are not looked at; the names stand below
+  std::size_t skip_lines{0};              ///< lines that are skipped; the names follow below
   std::optional<char> separator{};        ///< ' ': any number of blanks
   std::optional<char> decimal{};          ///< '.' or ','
-  std::vector<CsvColumn> columns{};       ///< sources that the file does not have are passed over
-  std::vector<CsvMarkers> markers{};      ///< the same
+  std::vector<CsvColumn> columns{};       ///< columns; sources that the file does not have are ignored
+  std::vector<CsvMarkers> markers{};      ///< markers; sources that the file does not have are ignored
   std::vector<std::string> ignore{};      ///< names or positions of columns left alone, also where `columns` has them
-  bool ignore_others{false};              ///< what `columns` does not name and the reader does not know is left alone
+  bool ignore_others{false};              ///< whether columns that nobody names or knows are left alone
   std::optional<double> sampling_rate{};  ///< Hz, > 0; of a file without a column of time
 };
 
@@ -53,12 +53,12 @@ struct CsvLayout {
 struct CsvForm {
   char separator{','};
   char decimal{'.'};
-  bool arrows{false};                              ///< "10:11:32.002 -> " in front of the rows, as a terminal writes it
-  std::vector<std::string> preamble{};             ///< lines above the names, as they are
-  std::vector<std::string> names{};                ///< of the columns, in UTF-8; "" where one has none
-  std::size_t names_line{0};                       ///< from 1; 0: no line has the names
-  std::size_t rows_line{0};                        ///< of the first row of numbers; 0: there is none
-  std::size_t rows_at{0};                          ///< the byte at which it begins
+  bool arrows{false};                   ///< whether rows begin with "10:11:32.002 -> ", as a terminal writes it
+  std::vector<std::string> preamble{};  ///< lines above the names, as they are
+  std::vector<std::string> names{};     ///< of the columns, in UTF-8; "" where one has none
+  std::size_t names_line{0};            ///< from 1; 0: no line has the names
+  std::size_t rows_line{0};             ///< of the first row of numbers; 0: there is none
+  std::size_t rows_at{0};               ///< the byte at which it begins
   std::vector<std::vector<std::string>> sample{};  ///< fields of the first rows, of a table of numbers
 
   /// Whether a column is empty in every row of the sample.

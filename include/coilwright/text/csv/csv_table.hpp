@@ -32,15 +32,15 @@ class CsvHeader {
   struct Column {
     /// The source of the column's values.
     enum class From { field, row_number, markers };
-    std::string name{};   ///< ours where the layout gives one, otherwise the file's
-    std::string label{};  ///< as errors call it: the file's name too
+    std::string name{};   ///< our name if the layout gives one, otherwise the file's
+    std::string label{};  ///< name in errors, with the file's name
     From from{From::field};
     std::size_t index{};  ///< of the field in a row, or of the markers in the layout
     double factor{1.0};   ///< as of CsvColumn
     double offset{0.0};
     double period{0.0};
-    std::optional<std::size_t> part{};  ///< of whole seconds: the field that has the part of a second
-    double part_unit{};                 ///< of that, s
+    std::optional<std::size_t> part{};  ///< for whole seconds the field that has the part of a second
+    double part_unit{};                 ///< unit of that part, s
   };
 
   /// Reads the header. `form` and `layout` must outlive it.

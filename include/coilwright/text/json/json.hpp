@@ -74,8 +74,8 @@ class Json {
   /// Adds an element to an array.
   Json& add(Json value);
 
-  [[nodiscard]] const Content& content() const noexcept { return content_; }  ///< What it holds.
-  [[nodiscard]] Content& content() noexcept { return content_; }              ///< The same, to change.
+  [[nodiscard]] const Content& content() const noexcept { return content_; }  ///< The content of the value.
+  [[nodiscard]] Content& content() noexcept { return content_; }  ///< The content of the value, which can be changed.
 
   /// The JSON text: two spaces for each level, an array of plain values on one line if it fits, a line end at the end.
   /// Text that is not UTF-8 is replaced by the replacement character. Throws std::invalid_argument with the JSON

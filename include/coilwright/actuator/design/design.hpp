@@ -26,7 +26,7 @@ inline constexpr int most_current_shares = 4;
 
 /// The material between the turns of a coil.
 enum class Filler {
-  unstated,  ///< the prototype's convention: silicone in heat, absent in mass
+  unstated,  ///< the prototype's convention: silicone in heat, no mass
   silicone,  ///< potted: silicone in heat and mass
   air        ///< dry: air in heat and mass
 };

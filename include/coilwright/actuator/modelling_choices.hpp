@@ -11,7 +11,7 @@ namespace coilwright::actuator {
 /// A change of a design in something that no measurement of it has settled: another modelling choice, or a number at an
 /// end of what is known of it.
 struct OtherChoice {
-  std::string_view subject;     ///< what it is: "damping of the joints", "remanence of the magnets"
+  std::string_view subject;     ///< the name of the subject: "damping of the joints", "remanence of the magnets"
   std::string taken;            ///< the way in which the design takes it, with its numbers
   std::string otherwise;        ///< the way in which `design` takes it
   std::string_view settled_by;  ///< the measurement that decides between the two

@@ -34,7 +34,7 @@ enum class HeldCases { both, free, gripping };
 struct OperatingPoint {
   double current{};    ///< in every coil while on, A; finite
   double duty = 1.0;   ///< fraction of the time that it is on, 0 to 1, for heat only; periods short beside thermal ones
-  GraspPoint grasp{};  ///< where grasp forces are taken
+  GraspPoint grasp{};  ///< point at which grasp forces are taken
   std::optional<double> period{};     ///< of the duty cycle, s; finite, > 0; tells the ripple of temperature alone
   HeldCases cases = HeldCases::both;  ///< pose whose heat counts if one figure represents the operating point
   Supply supply{};

@@ -13,7 +13,7 @@ namespace coilwright::archive {
 struct Input {
   std::string file{};    ///< the path as it was given
   std::string sha256{};  ///< of its bytes, 64 hexadecimal digits
-  std::string text{};    ///< its bytes
+  std::string text{};    ///< bytes of the file
 
   friend bool operator==(const Input&, const Input&) = default;
 };
@@ -53,7 +53,7 @@ struct Column {
   Role role{};            ///< kind of its content
   std::string name{};     ///< of the variable, the objective, the limit ("mass_g <= 70") or the quantity
   std::string meaning{};  ///< meaning of a quantity; "maximise" or "minimise" of an objective; else empty
-  std::string column{};   ///< its name in the table, unique whatever the case of its letters
+  std::string column{};   ///< name in the table, unique whatever the case of its letters
 
   friend bool operator==(const Column&, const Column&) = default;
 };
@@ -61,7 +61,7 @@ struct Column {
 /// The subject of an archive: all that decides which designs are evaluated, and the numbers that come out.
 struct Contents {
   std::string command{};                ///< "pareto"
-  std::string study{};                  ///< its name
+  std::string study{};                  ///< name of the study
   Program program{};                    ///< program that evaluates
   std::vector<Input> inputs{};          ///< the study, then its actuator
   std::vector<std::string> changes{};   ///< each --set, "gap_mm=1.2"

@@ -38,7 +38,7 @@ class Reader {
   Reader(Reader&&) noexcept;
   Reader& operator=(Reader&&) noexcept;
 
-  [[nodiscard]] const std::filesystem::path& path() const noexcept;  ///< as it was given
+  [[nodiscard]] const std::filesystem::path& path() const noexcept;  ///< the path as it was given
   [[nodiscard]] const Contents& contents() const noexcept;           ///< the subject of the archive
 
   /// Whether the rows have checksums. An archive without them can be read, but no run is answered from it, because

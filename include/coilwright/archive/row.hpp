@@ -26,9 +26,9 @@ using Value = std::variant<double, std::string>;
 
 /// One evaluation, as an archive keeps it.
 struct Row {
-  std::int64_t id{};                    ///< its place in the order of recording in its table, from 1
+  std::int64_t id{};                    ///< place in the order of recording in its table, from 1
   std::int64_t run{};                   ///< the run that recorded it
-  std::optional<std::size_t> number{};  ///< its place in the order of the search, from 1; nothing until a run has ended
+  std::optional<std::size_t> number{};  ///< place in the order of the search, from 1; absent until a run has ended
   std::string choice{};                 ///< the other modelling choice of the evaluation; empty for the study's own
   std::vector<Value> variables{};       ///< in the order of the archive's columns
   sizing::Evaluation evaluation{};      ///< the evaluation, bit by bit
@@ -39,10 +39,10 @@ struct Row {
 
 /// One call of the program that wrote to an archive.
 struct Run {
-  std::int64_t id{};                             ///< from 1
-  std::string started{};                         ///< "2026-01-31T12:00:00Z"
-  std::string ended{};                           ///< empty while it runs, and where it was killed
-  std::string stop_reason{};                     ///< as the search names it, or "complete"; empty if `ended` is
+  std::int64_t id{};          ///< from 1
+  std::string started{};      ///< "2026-01-31T12:00:00Z"
+  std::string ended{};        ///< empty while it runs, and where it was killed
+  std::string stop_reason{};  ///< the search's name for the reason, or "complete"; empty if `ended` is
   std::optional<std::size_t> max_evaluations{};  ///< largest number of designs; absent in a sweep
   std::size_t evaluated{};                       ///< designs that it evaluated
   std::size_t answered{};                        ///< designs that this archive answered

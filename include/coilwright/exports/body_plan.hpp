@@ -28,7 +28,7 @@ struct BodyPlan {
   double hinge_height{};
   double bottom_layer{};
   std::vector<PlacedPart> parts;  ///< base first
-  std::vector<double> joints;     ///< where the slits are, along the body; one fewer than parts
+  std::vector<double> joints;     ///< places of the slits along the body; one fewer than parts
 };
 
 /// Takes the places from dimensions and segments of the assembly.

@@ -12,7 +12,7 @@ namespace coilwright::exports {
 
 /// A rectangle in space, divided into equal cells.
 struct MapPlane {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< where both coordinates are 0, m
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< point with both coordinates 0, m
   Eigen::Vector3d right = Eigen::Vector3d::UnitX();  ///< a unit vector
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();     ///< a unit vector across `right`
   std::string right_name = "x";                      ///< of the coordinate along `right`

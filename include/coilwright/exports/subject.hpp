@@ -53,7 +53,7 @@ struct ExportSettings {
 /// One of the settings as a person gives it.
 struct ExportSetting {
   std::string_view name;                    ///< with its unit at the end (units::to_memory): "lead_mm"
-  std::string_view text;                    ///< what it is, in a sentence
+  std::string_view text;                    ///< meaning, in a sentence
   double lowest{};                          ///< in that unit
   double highest{};                         ///< in that unit
   double ExportSettings::*value = nullptr;  ///< SI

@@ -31,7 +31,7 @@ using FaceValues = std::array<double, face_points>;
 /// The axial field of one body in the volume of a coaxial cylinder, A/m, positive along +z.
 struct AxialField {
   double mean{};       ///< over the volume
-  FaceValues faces{};  ///< at the points above
+  FaceValues faces{};  ///< at the face_points
 };
 
 /// Field of a coil with `current` (A) at the origin, in a cylinder whose centre is `distance` (m, finite) along +z. The

@@ -13,8 +13,8 @@ namespace coilwright::magnetics {
 /// edges lie where there is little flux, and so thick that it does not saturate; PlateLoad states both sizes.
 struct Plate {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of a point on the face that the bodies are in front of, m
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   ///< of that face, towards the bodies; not zero, any length
-  double thickness{};                                  ///< m; finite, > 0
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< normal of that face, towards the bodies; not zero, any length
+  double thickness{};                                 ///< m; finite, > 0
   double relative_permeability = std::numeric_limits<double>::infinity();  ///< >= 1; of mild steel 500 and more
 };
 

@@ -21,7 +21,7 @@ class ThickCoil {
     double length{};                                             ///< m, along the axis; finite, > 0
     int turns_radial{};                                          ///< layers, dimensionless; >= 1
     int turns_axial{};                                           ///< turns in each layer, dimensionless; >= 1
-    CurrentDistribution winding = CurrentDistribution::uniform;  ///< where the current flows
+    CurrentDistribution winding = CurrentDistribution::uniform;  ///< distribution of the current
   };
   /// Makes the coil. Throws std::invalid_argument naming the field, the rule and the value received.
   explicit ThickCoil(const Spec& spec);

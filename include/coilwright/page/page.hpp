@@ -33,7 +33,7 @@ struct Figure {
   /// A description of the picture in a sentence or two, which stands for it.
   std::string description;
   std::variant<text::Json, Drawing, Image> content;  ///< a Vega-Lite specification, or a drawing
-  Table table{};                                     ///< its numbers; empty if a table beside it has them
+  Table table{};                                     ///< numbers of the picture; empty if a table beside it has them
 };
 
 /// Plain text between figures.

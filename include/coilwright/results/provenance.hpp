@@ -18,7 +18,7 @@ inline constexpr const char* provenance_name = "provenance.json";
 struct InputRecord {
   std::string file{};    ///< the path as it was given; "standard input"
   std::string sha256{};  ///< of its bytes
-  std::string text{};    ///< its bytes
+  std::string text{};    ///< bytes of the file
 };
 
 /// The record of a file that has been read.
@@ -47,7 +47,7 @@ void write_provenance(text::OutputFolder& folder, const Provenance& provenance);
 
 /// The question that the results of a folder answer, by its provenance.json.
 struct Question {
-  std::string sha256{};                 ///< as hash_of()
+  std::string sha256{};                 ///< hash_of() of the results' question
   std::optional<std::uint64_t> seed{};  ///< absent if nothing is drawn
 };
 /// Reads the question of a folder; absent if it has no such file. Throws InputError if it cannot be read.

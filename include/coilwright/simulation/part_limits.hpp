@@ -15,7 +15,7 @@ inline constexpr double most_irreversible_loss = 1.0;
 /// A limit at an operating point that a part of the actuator sets by its material, or the supply by its voltage,
 /// whatever a study asks for.
 struct PartLimit {
-  std::string_view quantity;      ///< its name: "magnet_temperature_degC", of a standard quantity or supply_load()
+  std::string_view quantity;      ///< name of a standard quantity or of supply_load(): "magnet_temperature_degC"
   std::optional<double> value{};  ///< in the unit of that name; absent in a thermal runaway
   double limit{};                 ///< in the same unit
   bool at_most = true;            ///< whether the value must not exceed the limit; otherwise it must not fall below it

@@ -21,14 +21,14 @@ using actuator::OperatingPoint;
 struct FreeMotion {
   mechanics::JointVector rest_angles;    ///< hanging without current, rad
   mechanics::JointVector steady_angles;  ///< end of a step from rest, rad
-  double peak_bending_speed{};           ///< of that step, rad/s
+  double peak_bending_speed{};           ///< peak speed in that step, rad/s
   double peak_speed_time{};              ///< s
   double peak_angle{};                   ///< largest bending angle of that step, rad
   double peak_joint_angle{};             ///< largest magnitude of any joint's angle in that step, rad
   double overshoot{};                    ///< excess over the change of the bending angle
   std::optional<double> rise_time;       ///< 10 to 90 %, s
   std::optional<double> settling_time;   ///< to 2 %, s
-  std::vector<Mode> modes;               ///< at the steady angles, slowest first
+  std::vector<Mode> modes;               ///< modes at the steady angles, slowest first
 };
 
 /// The force of a finger whose tip is held.
@@ -47,7 +47,7 @@ struct Electrics {
   std::optional<double> voltage{};         ///< across the hottest coil, V
   std::optional<double> power{};           ///< of all coils while on, W
   std::optional<double> supply_voltage{};  ///< open-circuit voltage that the supply needs, V
-  std::optional<double> supply_current{};  ///< that the supply delivers while on, A
+  std::optional<double> supply_current{};  ///< current that the supply delivers while on, A
   std::optional<double> driven_current{};  ///< largest current in every coil that the stated supply drives, A; absent
                                            ///< without a stated supply
 };
@@ -55,7 +55,7 @@ struct Electrics {
 /// Temperatures of coils and magnets when the operating point is held in one pose.
 struct Heat {
   std::optional<double> coil_temperature{};    ///< mean of the hottest coil, degC; absent in a thermal runaway
-  std::optional<double> coil_hot_spot{};       ///< its hottest turn, degC; absent in a thermal runaway
+  std::optional<double> coil_hot_spot{};       ///< hottest turn of that coil, degC; absent in a thermal runaway
   std::optional<double> magnet_temperature{};  ///< hottest magnet, degC; absent in a thermal runaway
   std::optional<double> skin_temperature{};  ///< hottest place of the outer surface, degC; absent in a thermal runaway
   thermal::NodeVector temperatures{};        ///< of every component, base to tip, degC; empty in a thermal runaway
@@ -78,13 +78,13 @@ struct Heat {
 /// The finger held free at the operating point.
 struct FreeCase {
   Heat heat{};                         ///< at its steady joint angles
-  std::optional<FreeMotion> motion{};  ///< at those temperatures; absent in a thermal runaway that the magnets feel
+  std::optional<FreeMotion> motion{};  ///< at those temperatures; absent in a runaway that the magnets feel
 };
 
 /// The finger held against a wall at the operating point.
 struct GrippingCase {
-  Heat heat{};                   ///< at the joint angles of the grasp
-  std::optional<Grasp> grasp{};  ///< at those temperatures; absent in a thermal runaway that the magnets feel
+  Heat heat{};                   ///< heat at the joint angles of the grasp
+  std::optional<Grasp> grasp{};  ///< grasp at those temperatures; absent in a thermal runaway that the magnets feel
 };
 
 /// All results of a design at an operating point.

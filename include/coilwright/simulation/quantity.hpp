@@ -39,7 +39,7 @@ struct DesignView {
 
 /// Why a quantity has no value in one design.
 struct NoValue {
-  std::string reason;          ///< as the end of a sentence
+  std::string reason;          ///< the reason, as the end of a sentence
   double infeasibility = 1.0;  ///< distance of the design from having a value, in any measure of order 1; > 0
 };
 

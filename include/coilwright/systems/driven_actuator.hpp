@@ -17,7 +17,7 @@ namespace coilwright::systems {
 struct CellDrive {
   drive::CellSwitch circuit{};
   double capacity{};                     ///< A s; finite, > 0
-  std::optional<double> most_current{};  ///< that it delivers, A; finite, > 0; absent: 20 times the capacity an hour
+  std::optional<double> most_current{};  ///< largest current, A; finite, > 0; absent: 20 times the capacity an hour
 
   /// The largest current: most_current, or the usual rating of small lithium cells.
   [[nodiscard]] double current_limit() const { return most_current.value_or(20.0 * capacity / 3600.0); }
@@ -75,7 +75,7 @@ struct DrivenActuator {
   double duty{};
   double supply_voltage{};               ///< of the open circuit, V
   drive::ReducedBank bank{};             ///< of all actuators
-  drive::Driver phases{};                ///< what drives them, at that voltage
+  drive::Driver phases{};                ///< the driver at that voltage
   double driver_resistance{};            ///< of switches and supply while on, ohm
   drive::SteadyCurrent driver{};         ///< of the driver; powers are those of all actuators
   drive::SteadyCurrent coil{};           ///< of the coil that carries most; without powers

@@ -47,7 +47,7 @@ struct MotionSample {
   simulation::State state{};        ///< internal: of the model's own effects
   actuator::CoilCurrents currents;  ///< of an actuator's coils, A
   double driver_current{};          ///< A
-  double charge{};                  ///< that the driver has carried since the start, A s
+  double charge{};                  ///< charge that the driver has carried since the start, A s
   MotionEnergies energies{};
 };
 
@@ -80,7 +80,7 @@ struct MotionSummary {
   double most_bending_time{};  ///< s
   double most_speed{};         ///< largest sum of the rates, either way, rad/s
   double most_speed_time{};    ///< s
-  MotionEnergies energies{};   ///< at the end
+  MotionEnergies energies{};   ///< energies at the end
 };
 
 /// Computes the figures. Precondition: `motion` has at least one sample.

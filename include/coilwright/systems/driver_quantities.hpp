@@ -17,7 +17,7 @@ struct DriverTask {
   double voltage{};           ///< of the open circuit, V; finite, > 0
   double resistance{};        ///< inside, with leads, ohm; finite, >= 0
   double frequency = 490.0;   ///< of the pulses, Hz; finite, > 0
-  double most_current = 3.6;  ///< that bridge or cell bears, of all coils, A; finite, > 0
+  double most_current = 3.6;  ///< largest current of bridge or cell, of all coils, A; finite, > 0
   /// Resistance of all switches that the current passes while on, ohm; finite, >= 0.
   double switch_resistance = drive::HBridge{}.high_resistance + drive::HBridge{}.low_resistance;
 };

@@ -23,7 +23,7 @@ struct WarmUpSample {
   double resistance{};                ///< of all coils as the driver sees them, ohm
   double mean{};                      ///< current of the coil that carries most, A
   double rms{};                       ///< rms current of that coil, A
-  double supply_mean{};               ///< that the supply delivers, A
+  double supply_mean{};               ///< current that the supply delivers, A
   double heat{};                      ///< of the coils of one actuator, W
 };
 

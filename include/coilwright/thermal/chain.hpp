@@ -11,8 +11,8 @@ namespace coilwright::thermal {
 struct HeatSegment {
   NodeKind kind{};              ///< a coil or a magnet
   double core_length{};         ///< of the coil or magnet, m; finite, > 0
-  double core_radius{};         ///< its outer radius, m; > 0, inside the body
-  double bore_radius{};         ///< its inner radius, m; >= 0, below core_radius; 0 for a magnet
+  double core_radius{};         ///< outer radius of the core, m; > 0, inside the body
+  double bore_radius{};         ///< inner radius of the core, m; >= 0, below core_radius; 0 for a magnet
   double core_conductivity{};   ///< across the wires of a coil, or of a magnet, W/(m K); > 0
   double core_heat_capacity{};  ///< of the core with what fills its bore, J/K; > 0
   double wall{};                ///< silicone between the core and each face of the segment, m; > 0

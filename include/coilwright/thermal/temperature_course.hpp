@@ -24,7 +24,7 @@ struct CourseTiming {
 struct TemperatureCourse {
   std::vector<double> times{};              ///< 0, every interval, and the end, s
   std::vector<NodeVector> temperatures{};   ///< temperatures at these times, degC, one value per node
-  std::optional<TimeToLimit> limit{};       ///< when the first coil or magnet passes its limit, and which
+  std::optional<TimeToLimit> limit{};       ///< first passing of a limit by a coil or magnet, and its node
   std::optional<double> highest_reached{};  ///< time at which a node reached `highest`, s; later times do not exist
 };
 

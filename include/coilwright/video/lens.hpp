@@ -12,7 +12,7 @@ struct Lens {
   int width{};                         ///< of its pictures, px
   int height{};                        ///< of its pictures, px
   Eigen::Vector2d focal{};             ///< focal lengths over the pixel's width and height; > 0
-  Place centre{};                      ///< where the optical axis passes
+  Place centre{};                      ///< place of the optical axis
   std::array<double, 5> distortion{};  ///< k1, k2, p1, p2, k3
 };
 

@@ -27,7 +27,7 @@ struct Sighting {
 struct Frame {
   double time{};                      ///< s, as the container stamps it
   double led{};                       ///< mean grey where the LED is, 0 to 255; 0 where none was asked for
-  std::vector<Sighting> sightings{};  ///< by id, each once
+  std::vector<Sighting> sightings{};  ///< tags by id, each once
 };
 
 /// The tags in the pictures of a film.

@@ -19,7 +19,7 @@ struct PairFile {
   std::vector<magnetics::Body> bodies;      ///< at least one; the last one's pose is poses[0]
   std::vector<std::string> names;           ///< of each, for people: "coil 1" where the file gives none
   std::vector<magnetics::Pose> poses{};     ///< of the last body; at least one
-  std::optional<magnetics::Plate> plate{};  ///< beside them
+  std::optional<magnetics::Plate> plate{};  ///< plate beside the bodies
   std::optional<double> plate_radius{};     ///< extent of the plate about its position, m; absent: endless
   /// Whether the file lists its bodies and asks for the load on each. Otherwise it is a pair, and asks for the load on
   /// the second.

@@ -22,7 +22,7 @@ struct DatasetFile {
   measurement::data::Dataset data{};
   std::vector<std::filesystem::path> run_files{};  ///< of all its runs, and of their inputs
   std::vector<std::string> calibrate{};            ///< numbers of the declared model that may be fitted anew
-  measurement::replay::Tolerances tolerances{};    ///< how well its declared numbers are known
+  measurement::replay::Tolerances tolerances{};    ///< tolerances of its declared numbers
   std::vector<measurement::identification::Belief> beliefs{};  ///< of effects that may be missing
   std::optional<std::filesystem::path> actuator{};  ///< the declared model, where the set names one; not opened
 };

@@ -13,7 +13,7 @@ namespace coilwright::formats {
 
 /// The true shift and rate of the clock of a run.
 struct ClockOfRun {
-  std::string run{};  ///< its file
+  std::string run{};  ///< file of the run
   measurement::planning::TrueClock clock{};
 };
 

@@ -17,7 +17,7 @@ namespace coilwright::formats {
 /// The subject of an archive, and its runs.
 struct ArchiveSummary {
   archive::Contents contents;      ///< of the archive
-  std::vector<archive::Run> runs;  ///< in their order
+  std::vector<archive::Run> runs;  ///< runs, in their order
   std::size_t ok{};                ///< designs that keep every limit
   std::size_t infeasible{};        ///< designs that break one
   std::size_t failed{};            ///< designs that could not be evaluated
@@ -25,11 +25,11 @@ struct ArchiveSummary {
 
 /// A design of an archive, evaluated again.
 struct Replay {
-  std::int64_t row{};           ///< its id
+  std::int64_t row{};           ///< id of the design
   sizing::Evaluation recorded;  ///< evaluation in the archive
   sizing::Evaluation again;     ///< evaluation by this program
   archive::Contents contents;   ///< of the archive
-  archive::Program program;     ///< this one
+  archive::Program program;     ///< this program
 };
 
 /// A number that differs at the second evaluation.

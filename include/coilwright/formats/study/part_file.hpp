@@ -22,8 +22,8 @@ namespace coilwright::formats {
 /// The machine that computes, and its figures of three designs. Machines whose figures differ in a bit give other
 /// results.
 struct Machine {
-  std::string host{};       ///< its name in the network
-  std::string processor{};  ///< as the system names it
+  std::string host{};       ///< name in the network
+  std::string processor{};  ///< the system's name for the processor
   std::string figures{};    ///< a JSON text: of each design every number that `evaluate` prints
 
   /// The machine's name: "desk2 (AMD EPYC 7B13)".
@@ -77,7 +77,7 @@ struct SweepPart {
 /// The result of a part of `size` or `pareto`: a search with a seed of its own.
 struct SearchPart {
   std::string stop_reason{};
-  std::size_t evaluations{};                 ///< that the search made
+  std::size_t evaluations{};                 ///< evaluations of the search
   std::vector<sizing::SweptDesign> found{};  ///< the best or the front; with nothing feasible the nearest
 
   /// Whether the best design found keeps every limit.

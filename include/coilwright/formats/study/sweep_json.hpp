@@ -23,7 +23,7 @@ struct SweepReport {
   std::span<const sizing::BrokenPartLimit> broken{};  ///< limits of parts that leaders break which keep every limit
   std::optional<sizing::DesignSample> sample{};       ///< absent: the grid
   sizing::Keep keep = sizing::Keep::all;
-  std::span<const sizing::QuantityTotal> totals{};  ///< by quantity of the study; empty if all rows are kept
+  std::span<const sizing::QuantityTotal> totals{};  ///< for each quantity of the study; empty if all rows are kept
 };
 
 /// The counts, and for each leader its configuration, variables, objectives, constraints and the limits of parts that

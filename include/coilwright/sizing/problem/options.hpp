@@ -52,7 +52,7 @@ enum class Afterwards {
 
 /// Settings of a search. The answer depends on `algorithm`, `max_evaluations` and `seed`, but not on `threads`.
 struct SearchOptions {
-  Algorithm algorithm = Algorithm::automatic;  ///< how to search
+  Algorithm algorithm = Algorithm::automatic;  ///< method of the search
   std::size_t max_evaluations = 2000;          ///< largest number of designs evaluated, including failed ones; >= 1
   std::uint64_t seed = 1;                      ///< of every random number; any value
   unsigned threads = 0;                        ///< designs evaluated at the same time; 0: one per core

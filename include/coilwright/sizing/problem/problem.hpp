@@ -32,7 +32,7 @@ enum class Sense { minimise, maximise };
 /// A quantity to make small or large. Its unit is the problem's own.
 struct Objective {
   std::string name;               ///< unique among the objectives, not empty
-  Sense sense = Sense::minimise;  ///< which way is better
+  Sense sense = Sense::minimise;  ///< direction in which it improves
 };
 
 /// Result of the evaluation of one design: all numbers, or in `failure` the reason why there are none.

@@ -27,7 +27,7 @@ struct BindingConstraint {
   bool at_limit{};                         ///< margin below `binding_margin`
   bool blocks_step{};                      ///< an improving step of one variable violates it
   double relaxed_by{};                     ///< largest value of the constraint in the search that relaxes it
-  std::optional<double> objective_change;  ///< of that search: objective after minus before
+  std::optional<double> objective_change;  ///< change in that search: objective after minus before
   std::optional<Record> relaxed_best;      ///< the design of that search; none if it found nothing better
 };
 

@@ -26,7 +26,7 @@ struct WorstMargin {
 
 /// The answer of a study if one assumption is otherwise.
 struct AssumptionEffect {
-  actuator::OtherChoice choice;      ///< its design is the answer's own
+  actuator::OtherChoice choice;      ///< the choice; its design is the answer's own under it
   Evaluation evaluation;             ///< of the answer under the other choice
   std::optional<WorstMargin> worst;  ///< worst limit of that evaluation
   bool is_built = true;  ///< false: its model cannot be computed under the choice, which says nothing about the choice
@@ -52,7 +52,7 @@ inline constexpr double gain_of_another_design = 0.01;
 /// Settings of the searches under other choices.
 struct AssumptionOptions {
   std::size_t evaluations = 300;  ///< of the search under each other choice; 0 for none
-  SearchOptions search{};         ///< its seed, threads and stop token are used
+  SearchOptions search{};         ///< seed, threads and stop token of these searches
   /// Evaluates a point of `other`, which is the problem under `choice`; called from any thread. It may answer from a
   /// record. Empty: other.problem().evaluate.
   std::function<Evaluation(const DesignProblem& other, const actuator::OtherChoice& choice,

@@ -17,12 +17,12 @@ struct SobolIndex {
 /// Values of one output at Saltelli's designs: at A, at B, and for each input at A with that input from B.
 struct SaltelliValues {
   std::vector<double> a, b;
-  std::vector<std::vector<double>> mixed;  ///< by input
+  std::vector<std::vector<double>> mixed;  ///< for each input
 };
 
 /// Sobol's indices of every input.
 struct SobolIndices {
-  std::vector<SobolIndex> first, total;  ///< by input
+  std::vector<SobolIndex> first, total;  ///< for each input
 };
 /// Estimates the indices, with intervals from 400 resamples of the rows by `seed`; absent if the output does not vary.
 [[nodiscard]] std::optional<SobolIndices> sobol_indices(const SaltelliValues& values, std::uint64_t seed);

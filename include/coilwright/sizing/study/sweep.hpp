@@ -38,7 +38,7 @@ inline constexpr std::array<std::pair<std::string_view, Sampling>, 2> sampling_w
 /// A sample of designs that represents the range of a study.
 struct DesignSample {
   Sampling sampling = Sampling::latin_hypercube;
-  std::size_t drawn{};   ///< how many are drawn; > 0
+  std::size_t drawn{};   ///< number of designs drawn; > 0
   std::uint64_t seed{};  ///< another one draws others
 };
 

@@ -17,7 +17,7 @@ namespace coilwright::sizing {
 /// statistics of each quantity.
 enum class Keep {
   all,
-  feasible,  ///< those that keep every limit
+  feasible,  ///< designs that keep every limit
   front,     ///< designs that no other one beats in every objective, among the feasible ones
   best       ///< only the best of each configuration
 };

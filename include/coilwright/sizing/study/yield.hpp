@@ -50,7 +50,7 @@ struct ScatterWorth {
 
 /// A cause for which builds lack a requested value.
 struct FailureCause {
-  std::string reason;  ///< its first words, ".." for numbers: "the driver cannot give the current: raise .."
+  std::string reason;  ///< the reason's first words, ".." for numbers: "the driver cannot give the current: raise .."
   std::size_t builds{};
 };
 

@@ -8,7 +8,7 @@ namespace coilwright::systems::gripper {
 /// Shape of an object in the plane in which two fingers close.
 enum class ObjectShape {
   sphere,
-  cylinder,  ///< its axis lies across the plane
+  cylinder,  ///< a cylinder whose axis lies across the plane
   box,
   upright_cylinder  ///< a cup: its axis is that of the gripper
 };

@@ -42,8 +42,8 @@ struct CameraRecord {
 
 /// Figures that summarise a record, rad and s.
 struct ResponseFigures {
-  double first{};         ///< at the first frame
-  double last{};          ///< at the last frame
+  double first{};         ///< angle at the first frame
+  double last{};          ///< angle at the last frame
   double largest{};       ///< of all frames
   double fastest{};       ///< largest rise from a frame to the next, rad/s
   double late_mean{};     ///< over the last period of a sine, over the last tenth of a step

@@ -12,7 +12,7 @@ namespace coilwright::systems::rig {
 /// every coil.
 struct GraspBench {
   std::vector<double> currents = {0.0, 0.35, 0.7, 1.05, 1.4};  ///< A; finite, at least one
-  actuator::GraspPoint grasp{};  ///< where the wall stands and where the finger touches it
+  actuator::GraspPoint grasp{};                                ///< place of the wall, and of the contact on the finger
 };
 
 /// The reading of the sensor at one current, by both fidelities.

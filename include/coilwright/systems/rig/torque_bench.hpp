@@ -23,7 +23,7 @@ struct TorqueBench {
 /// One reading of the bench, without weight: the bench lies flat, or its gauge is balanced at each angle.
 struct TorqueReading {
   double torque{};       ///< about the hinge, N m, positive where it opens the joint
-  double gauge_force{};  ///< that holds it, N
+  double gauge_force{};  ///< force that holds it, N
 };
 
 /// The readings of the bench at one angle.

@@ -8,7 +8,7 @@ namespace coilwright::systems::validation {
 /// One number of the paper, or of its checked errata, beside the model's.
 struct Comparison {
   std::string quantity;  ///< name, with the unit of both values at its end
-  std::string source;    ///< where the reference stands
+  std::string source;    ///< place of the reference in the paper
   double reference{};    ///< in that unit
   double model{};        ///< in that unit
   double band_low{};     ///< model over reference may lie between band_low

@@ -13,7 +13,7 @@ namespace coilwright::text {
 
 /// A column of a table of another program that stands for one of ours.
 struct CsvColumn {
-  std::string source{};  ///< its name in the file, or "#4": the fourth
+  std::string source{};  ///< name in the file, or "#4" for the fourth
   std::string name{};    ///< ours, with a unit: "current_mA"
   double factor{1.0};    ///< finite, not 0: the value is factor times the number in the file, plus offset
   double offset{0.0};    ///< in the unit of `name`
@@ -30,7 +30,7 @@ struct CsvMarkers {
   std::array<CsvPoint, 2> line{};  ///< from, to
   std::optional<std::array<CsvPoint, 2>> against{};
   bool y_is_up{false};
-  double factor{1.0};  ///< as of CsvColumn
+  double factor{1.0};  ///< as in CsvColumn
   double offset{0.0};
 };
 

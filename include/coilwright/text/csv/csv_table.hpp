@@ -36,7 +36,7 @@ class CsvHeader {
     std::string label{};  ///< name in errors, with the file's name
     From from{From::field};
     std::size_t index{};  ///< of the field in a row, or of the markers in the layout
-    double factor{1.0};   ///< as of CsvColumn
+    double factor{1.0};   ///< as in CsvColumn
     double offset{0.0};
     double period{0.0};
     std::optional<std::size_t> part{};  ///< for whole seconds the field that has the part of a second

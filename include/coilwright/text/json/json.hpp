@@ -25,7 +25,7 @@ class Json {
  public:
   /// A key and its value.
   using Member = std::pair<std::string, Json>;
-  using Array = std::vector<Json>;     ///< its elements
+  using Array = std::vector<Json>;     ///< elements of an array
   using Object = std::vector<Member>;  ///< in the order of the file
   /// The kinds of values. Numbers that were read are doubles.
   using Content = std::variant<std::nullptr_t, bool, double, std::string, Array, Object, std::int64_t>;

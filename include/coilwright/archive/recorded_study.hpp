@@ -34,7 +34,7 @@ class RecordedStudy {
  public:
   /// The archives that answer evaluations.
   struct Sources {
-    std::shared_ptr<Writer> writer{};       ///< writer of this run; never empty; destroyed last if no reader is left
+    std::shared_ptr<Writer> writer{};       ///< of this run; never empty; first, so that it is destroyed last
     std::shared_ptr<const Reader> known{};  ///< the archive as earlier runs left it; null if it is new
     std::vector<std::shared_ptr<const Reader>> others{};  ///< other archives, without `differences_for_reuse`
   };

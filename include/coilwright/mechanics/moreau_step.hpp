@@ -19,7 +19,7 @@ inline constexpr double closed_gap = 1e-9;
 inline constexpr double landing_way = 1e-5;
 
 /// Whether something that is `gap`, m, away from a face in the middle of a step of `step`, s, and comes nearer at
-/// `approach`, m/s, moves by more than `most`, m, beyond the face in it.
+/// `approach`, m/s, reaches the face in this step and moves by more than `most`, m, in it.
 [[nodiscard]] inline bool lands_too_fast(double gap, double approach, double step, double most = landing_way) {
   const double way = approach * step;
   return way > most && gap < 0.5 * way;

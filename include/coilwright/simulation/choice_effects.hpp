@@ -22,7 +22,7 @@ struct ChoiceEffect {
   actuator::OtherChoice choice;
   std::variant<EvaluatedDesign, NoPerformance> result;
   double change{};  ///< of the main figure that changes most, over its value as taken; 1 where one appears or vanishes
-  bool breaks{};  ///< whether it breaks an unconditional limit of a part that is kept otherwise, or has no performance
+  bool breaks{};    ///< whether it breaks an unconditional limit of a part that `taken` keeps, or has no performance
 
   [[nodiscard]] bool matters() const noexcept { return breaks || change >= change_that_matters; }
 };

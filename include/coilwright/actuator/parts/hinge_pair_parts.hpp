@@ -24,9 +24,8 @@ class HingePairParts {
     magnetics::HingeGeometry geometry;
     magnetics::Fidelity fidelity{};  ///< by which the model takes the pair's torque
     magnetics::Curve::Spec range;    ///< of joint angles, rad
-    /// The angle at which the curve by the line of centres starts, rad, if that is below `range`: its coaxial force is
-    /// smooth where parts overlap, and a chain without stops swings there. If the curve is not smooth there, `range`
-    /// counts.
+    /// Lower end of the curve by the line of centres, rad, instead of that of `range`: its coaxial force is smooth
+    /// where parts overlap, and a chain without stops swings there. If it is not smooth there, `range` counts.
     std::optional<double> line_of_centres_lower{};
   };
   /// Keeps the inputs and builds no curve yet.

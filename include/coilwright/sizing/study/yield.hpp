@@ -45,7 +45,7 @@ struct ScatterWorth {
   std::string scatter;  ///< name of the scatter, or of the correlated group
   /// Indices, one for each quantity, in their order; absent if a quantity does not vary or some build lacks it.
   std::vector<std::optional<SobolIndex>> first{}, total{};
-  Share keeps_all{};  ///< share of the builds, by the same dice, in which it deviates half as far
+  Share keeps_all{};  ///< of builds, by the same dice, in which it deviates half as far
 };
 
 /// A cause for which builds lack a requested value.

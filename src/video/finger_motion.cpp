@@ -32,8 +32,8 @@ double median_interval_of(const TrackedFilm& film) {
 
 // What a film shows beyond doubt; 0 with the sigma where it does not.
 CameraEstimate significant(double value, double sigma) {
-  constexpr double beyond_doubt = 5.0;
-  return {.value = std::abs(value) > beyond_doubt * sigma ? value : 0.0, .sigma = sigma};
+  const CameraEstimate found{.value = value, .sigma = std::isfinite(sigma) ? sigma : HUGE_VAL};
+  return {.value = std::abs(value) > found.least_seen() ? value : 0.0, .sigma = found.sigma};
 }
 
 CameraEstimate readout_of(const TrackedFilm& film, const CameraKnowledge& camera,

@@ -1,6 +1,7 @@
 #include "video/shutter.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace coilwright::video {
 namespace {
@@ -11,6 +12,8 @@ std::size_t count_of(std::span<const std::vector<SeriesEntry>> series) {
   return out;
 }
 
+constexpr LastCoefficient untold{.sigma = std::numeric_limits<double>::infinity()};
+
 }  // namespace
 
 // Within a tag that moves by v a second, a row further by s along the direction d of the rows is drawn v t s further: J
@@ -19,9 +22,10 @@ std::size_t count_of(std::span<const std::vector<SeriesEntry>> series) {
 LastCoefficient row_time_of(std::span<const std::vector<SeriesEntry>> series, const Place& rows) {
   constexpr Eigen::Index columns = 7;
   const auto count = static_cast<Eigen::Index>(count_of(series));
-  if (2 * count < 4 * columns) return {};
+  if (2 * count < 4 * columns) return untold;
   Eigen::MatrixXd terms = Eigen::MatrixXd::Zero(2 * count, columns);
   Eigen::VectorXd values(2 * count);
+  Eigen::VectorXd times(2 * count);
   Eigen::Index row = 0;
   for (const auto& each : series)
     for (const SeriesEntry& entry : each) {
@@ -32,13 +36,14 @@ LastCoefficient row_time_of(std::span<const std::vector<SeriesEntry>> series, co
       for (Eigen::Index part = 0; part < 2; ++part, ++row) {
         terms.row(row).segment<3>(3 * part) << 1.0, place.x(), place.y();
         terms(row, columns - 1) = part == 0 ? by_row_time.real() : by_row_time.imag();
+        times[row] = entry.time;
         values[row] = part == 0 ? skew.real() : skew.imag();
       }
     }
   // Columns of like size; a constant place or a tag at rest leaves columns that say nothing.
   const double size = std::max(1e-12, terms.col(columns - 1).norm() / std::sqrt(static_cast<double>(2 * count)));
   terms.col(columns - 1) /= size;
-  const LastCoefficient scaled = robust_last_coefficient(terms, values);
+  const LastCoefficient scaled = robust_last_coefficient(terms, values, times);
   return {.value = scaled.value / size, .sigma = scaled.sigma / size};
 }
 
@@ -46,9 +51,10 @@ LastCoefficient row_time_of(std::span<const std::vector<SeriesEntry>> series, co
 LastCoefficient squared_exposure_of(std::span<const std::vector<SeriesEntry>> series) {
   const auto count = static_cast<Eigen::Index>(count_of(series));
   constexpr Eigen::Index fewest = 8;
-  if (count < fewest) return {};
+  if (count < fewest) return untold;
   Eigen::MatrixXd terms(count, 2);
   Eigen::VectorXd values(count);
+  Eigen::VectorXd times(count);
   Eigen::Index row = 0;
   for (const auto& each : series)
     for (const SeriesEntry& entry : each) {
@@ -56,11 +62,12 @@ LastCoefficient squared_exposure_of(std::span<const std::vector<SeriesEntry>> se
       const Place across(-along.y(), along.x());
       const Eigen::Matrix2d& blur = entry.sighting->blur;
       values[row] = along.dot(blur * along) - across.dot(blur * across);
+      times[row] = entry.time;
       terms.row(row++) << 1.0, entry.velocity.squaredNorm() / 12.0;
     }
   const double size = std::max(1e-12, terms.col(1).maxCoeff());
   terms.col(1) /= size;
-  const LastCoefficient scaled = robust_last_coefficient(terms, values);
+  const LastCoefficient scaled = robust_last_coefficient(terms, values, times);
   return {.value = scaled.value / size, .sigma = scaled.sigma / size};
 }
 

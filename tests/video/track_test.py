@@ -147,6 +147,16 @@ class Track(FilmTest):
             errors = [row["bending_angle_deg"] - 5 - damped_step(row["time_s"], 0.2, 30) for row in rows]
             self.assertLess(max(map(abs, errors)), 0.6)
 
+    def test_a_motion_to_one_side_at_one_speed_leaves_the_rows_to_be_said(self):
+        motion = [(t * 1e-3, 5 + 0.06 * t) for t in range(0, 1000)]
+        self.render("turn.mp4", {**SMALL, "duration": 0.5, "crf": 20}, motion)
+        answer = self.track("turn.mp4", "--out", "data", "--opens", "counterclockwise")
+        self.assertEqual(answer["films"][0]["readout_s"], 0)
+        self.assertIn("turn: the time in which its rows are read out, which a motion to one side at one speed does not tell from "
+                      "an oblique view: --readout-ms (taken as 0)", answer["to_be_said"])
+        said = self.track("turn.mp4", "--out", "data", "--force", "--readout-ms", "0")
+        self.assertNotIn("rows", " ".join(said["guessed"] + said["to_be_said"]))
+
     def test_two_tags_on_the_finger_give_the_joints(self):
         motion = [(t, 3 + 0.6 * a, 2 + 0.4 * a) for t, a in STEP]
         self.render("step.mp4", {**SMALL, "segment_tag": True}, motion)

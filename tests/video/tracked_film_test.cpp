@@ -150,6 +150,24 @@ TEST(TrackedFilm, UndoesARollingShutterThatItWasNotToldOf) {
   }
 }
 
+// Then a tag's velocity is linear over the picture, as the skew of an oblique view is.
+TEST(TrackedFilm, FindsNoRollingShutterInAMotionToOneSideAtOneSpeed) {
+  struct Case {
+    double rate;     // rad/s
+    double tilt;     // degrees
+    double readout;  // s
+  };
+  for (const auto& [rate, tilt, readout] : {Case{9.0, 0.0, 0.0}, Case{9.0, 10.0, 0.0}, Case{3.0, 0.0, 12e-3}}) {
+    film::Scene scene = small_scene();
+    scene.tilt = {0.0, tilt * degree};
+    scene.readout = readout;
+    const FingerMotion motion = finger_motion(track_film(Drawn(scene, turning(0.1, rate)), "film"));
+    EXPECT_EQ(motion.readout.value, 0.0) << rate << ' ' << tilt << ' ' << readout;
+    // Nor does it say that there is none.
+    EXPECT_GT(motion.readout.least_seen(), 1.0 / scene.rate) << rate << ' ' << tilt << ' ' << readout;
+  }
+}
+
 TEST(TrackedFilm, CountsPicturesWithoutATimeStamp) {
   Drawn drawn(small_scene(), turning(0.2, 3.0));
   drawn.unstamped = 2;
@@ -192,13 +210,12 @@ TEST(TrackedFilm, SaysHowFarAnObliqueViewOfAnUnknownLensMayBeOff) {
   for (const double tilt : {16.0, -16.0, 10.0}) {
     scene.tilt = {0.0, tilt * degree};
     const TrackedFilm film = track_film(Drawn(scene, truth), "film");
-    // At a constant speed, what the view does to the skew could be the rows'.
-    const FingerMotion unknown = finger_motion(film, {.readout = 0.0});
+    const FingerMotion unknown = finger_motion(film);
     const double bias = std::abs(errors_of(unknown, truth).mean);
     EXPECT_GT(unknown.view_bias / degree, bias) << tilt;
     EXPECT_LT(unknown.view_bias / degree, 3.0 * bias) << tilt;
     const Lens lens{.width = 280, .height = 420, .focal = {600.0, 600.0}, .centre = {139.5, 209.5}};
-    const FingerMotion known = finger_motion(film, {.lens = lens, .readout = 0.0});
+    const FingerMotion known = finger_motion(film, {.lens = lens});
     EXPECT_LT(known.view_bias / degree, 0.1) << tilt;
     EXPECT_LT(std::abs(errors_of(known, truth).mean), 0.2) << tilt;
   }

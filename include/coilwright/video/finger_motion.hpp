@@ -20,7 +20,7 @@ struct CameraKnowledge {
 struct AngleSample {
   double time{};   ///< s, when the middle of the tag was exposed, on the container's clock
   double angle{};  ///< rad, clockwise as seen, 0 where the tag stands as the base's
-  double sigma{};  ///< rad
+  double sigma{};  ///< rad, standard deviation: of what changes from one sample to another, not of a bias of the view
 };
 
 /// The angles of a tag over time.
@@ -31,8 +31,10 @@ struct TagMotion {
 
 /// A number that the film may show.
 struct CameraEstimate {
-  double value{};  ///< s
-  double sigma{};  ///< s; 0 where it was given
+  double value{};  ///< s; 0 where the film does not show beyond doubt that it is not
+  double sigma{};  ///< s; 0 where it was given, infinite where nothing tells
+  /// The least value that the film would show, s.
+  [[nodiscard]] double least_seen() const noexcept { return 5.0 * sigma; }
 };
 
 /// The motion of a finger in a film.

@@ -158,6 +158,20 @@ std::string way_of_rows(const video::TrackedFilm& film) {
                      ways.at(static_cast<std::size_t>(film.quarter_turns)), 90 * film.quarter_turns);
 }
 
+void advise_on_rows(const ReadFilm& film, Advice& advice) {
+  const auto& [interval, readout] = std::pair(film.motion.interval, film.motion.readout);
+  if (readout.value != 0.0)
+    advice.guessed.push_back(fmt::format("{}: rows are read out in {:.3g} ms{}, by the skew of moving tags", film.name,
+                                         1e3 * readout.value, way_of_rows(film.film)));
+  else if (readout.least_seen() < interval)
+    advice.guessed.push_back(fmt::format("{}: all rows at once; no skew of moving tags is seen", film.name));
+  else  // no camera takes longer than from one picture to the next
+    advice.asked.push_back(fmt::format(
+        "{}: the time in which its rows are read out, which a motion to one side at one speed does not tell from an "
+        "oblique view: --readout-ms (taken as 0)",
+        film.name));
+}
+
 void advise_on_camera(const TrackOptions& options, const ReadFilm& film, Advice& advice) {
   const auto& motion = film.motion;
   if (!options.exposure && motion.exposure.value > 0.0)
@@ -166,11 +180,7 @@ void advise_on_camera(const TrackOptions& options, const ReadFilm& film, Advice&
   if (!options.exposure && motion.exposure.value == 0.0)
     advice.asked.push_back(
         fmt::format("{}: the exposure, which its blur does not show: --exposure-ms (taken as 0)", film.name));
-  if (!options.readout)
-    advice.guessed.push_back(motion.readout.value != 0.0
-                                 ? fmt::format("{}: rows are read out in {:.3g} ms{}, by the skew of moving tags",
-                                               film.name, 1e3 * motion.readout.value, way_of_rows(film.film))
-                                 : fmt::format("{}: all rows at once; no skew of moving tags is seen", film.name));
+  if (!options.readout) advise_on_rows(film, advice);
 }
 
 // What an oblique view may do to the angles, beyond what their scatter shows.

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "coilwright/text/input_error.hpp"
+#include "video/course_scatter.hpp"
 #include "video/plane_view.hpp"
 #include "video/shutter.hpp"
 
@@ -196,6 +197,7 @@ FingerMotion finger_motion(const TrackedFilm& film, const CameraKnowledge& camer
     const SeenTags through = seen_through(other, film, ids, series, out.readout.value);
     out.view_bias = std::max(out.view_bias, mean_difference(through.tags, out.tags));
   }
+  for (TagMotion& tag : out.tags) tag.samples = with_shown_scatter(std::move(tag.samples), out.interval);
   return out;
 }
 

@@ -22,6 +22,11 @@ FILMS = {
     "exposure of 4 ms": ({"crf": 18, "exposure": 4e-3}, 0.1, 0.2),
     "8 degrees off the normal": ({"crf": 18, "tilt": [0.05, 0.13]}, 0.1, 0.2),
     "60 Hz": ({"crf": 18, "rate": 60, "duration": 1.2}, 0.05, 0.1),
+    "crf 6": ({"crf": 6}, 0.05, 0.1),
+    "much noise": ({"crf": 12, "noise": 10.0}, 0.05, 0.1),
+    "tags of 26 px": ({"crf": 16, "px_per_mm": 3.25}, 0.1, 0.2),
+    "tags of 72 px": ({"crf": 20, "px_per_mm": 9.0, "width": 880, "height": 860, "duration": 0.35}, 0.05, 0.1),
+    "out of focus": ({"crf": 14, "optics": 1.2}, 0.1, 0.2),
 }
 
 
@@ -38,8 +43,9 @@ class Accuracy(FilmTest):
     def errors(self, changes):
         scene = {**BASE, **changes}
         self.render("film.mp4", scene, [(t * 5e-4, motion(t * 5e-4)) for t in range(0, 3000)])
-        self.write("lens.json", json.dumps({"format": "lens/1", "width_px": 640, "height_px": 480, "rms_px": 0,
-                                            "focal_px": [600, 600], "centre_px": [319.5, 239.5],
+        width, height = scene["width"], scene["height"]
+        self.write("lens.json", json.dumps({"format": "lens/1", "width_px": width, "height_px": height, "rms_px": 0,
+                                            "focal_px": [600, 600], "centre_px": [(width - 1) / 2, (height - 1) / 2],
                                             "distortion": [0, 0, 0, 0, 0]}))
         begin = time.perf_counter()
         answer = self.track("film.mp4", "--out", "data", "--force", "--lens", "lens.json", "--opens",
@@ -62,8 +68,9 @@ class Accuracy(FilmTest):
                       f"{answer['readout_s'] * 1e3:5.2f} ms {rate:6.1f} frames/s", flush=True)
                 self.assertLess(abs(bias), most_bias)
                 self.assertLess(noise, most_noise)
-                self.assertGreater(stated / noise, 0.7)  # of one film; their mean is nearer to 1
-                self.assertLess(stated / noise, 1.5)
+                self.assertGreater(stated / noise, 0.85)  # of one film: of 60 of all kinds it is 0.76 to 1.28, but for one
+                self.assertLess(stated / noise, 1.3)
+                self.assertLess(abs(answer["readout_s"] - changes.get("readout", 0.0)), 0.3e-3)
 
     def test_speed_of_720p(self):
         self.render("film.mp4", {**BASE, "width": 1280, "height": 720, "crf": 18, "duration": 0.4},

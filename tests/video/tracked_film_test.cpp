@@ -221,6 +221,35 @@ TEST(TrackedFilm, SaysHowFarAnObliqueViewOfAnUnknownLensMayBeOff) {
   }
 }
 
+// A swing, of films of unlike kinds. What is stated is the error's to a quarter; the error of 60
+// samples is known to a tenth.
+TEST(TrackedFilm, StatesTheErrorsThatItMakes) {
+  film::Motion truth;
+  for (int i = 0; i <= 800; ++i) {
+    const double angle = 0.35 - 0.3 * std::cos(12.0 * 1e-3 * i);
+    truth.times.push_back(1e-3 * i);
+    truth.angles.push_back({0.5 * angle, 0.5 * angle});
+  }
+  const auto check = [&](const char* kind, auto&& change) {
+    film::Scene scene = small_scene();
+    scene.rate = 120.0;
+    scene.duration = 0.5;
+    change(scene);
+    const Errors errors = errors_of(finger_motion(track_film(Drawn(scene, truth), "film"), {.readout = 0.0}), truth);
+    const double noise = std::sqrt(errors.rms * errors.rms - errors.mean * errors.mean);
+    EXPECT_GT(errors.stated, 0.8 * noise) << kind << ' ' << noise;
+    EXPECT_LT(errors.stated, 1.4 * noise) << kind << ' ' << noise;
+  };
+  check("quiet", [](film::Scene& scene) { scene.noise = 0.3; });
+  check("noisy", [](film::Scene& scene) { scene.noise = 12.0; });
+  check("out of focus", [](film::Scene& scene) { scene.optics = 1.3; });
+  check("overexposed", [](film::Scene& scene) { scene.white = 275.0; });
+  check("at rest", [&](film::Scene& scene) {
+    truth.angles.assign(truth.angles.size(), {0.1, 0.13});
+    scene.noise = 4.0;
+  });
+}
+
 TEST(TrackedFilm, LeavesOutPicturesThatRepeatTheOneBefore) {
   Drawn drawn(small_scene(), turning(0.2, 3.0));
   drawn.copies = 2;

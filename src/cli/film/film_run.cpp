@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "coilwright/text/input_error.hpp"
@@ -66,7 +67,7 @@ std::vector<Channel> channels_of(Table& table) {
   return out;
 }
 
-double rms(const std::vector<double>& values) {
+double rms(std::span<const double> values) {
   double sum = 0.0;
   for (const double value : values) sum += value * value;
   return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, values.size())));
@@ -91,17 +92,6 @@ double scatter_of(const std::vector<double>& values) {
   const double mean = sum / static_cast<double>(values.size());
   for (const double value : values) squares += (value - mean) * (value - mean);
   return std::sqrt(squares / static_cast<double>(values.size()));
-}
-
-// Noise of readings from one to the next: the middle size of their third differences, to which a motion that is seen
-// often adds little; of noise alone these have 20 times its variance, and 0.6745 of a deviation as their middle size.
-double noise_of(const std::vector<double>& values) {
-  std::vector<double> sizes;
-  for (std::size_t i = 3; i < values.size(); ++i)
-    sizes.push_back(std::abs(values[i] - 3.0 * values[i - 1] + 3.0 * values[i - 2] - values[i - 3]));
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::ranges::nth_element(sizes, middle);
-  return *middle / (0.6745 * std::sqrt(20.0));
 }
 
 // Keeps the samples from `first` to before `last`.
@@ -138,13 +128,10 @@ void add_still(FilmRuns& out, const FingerMotion& motion, const std::string& nam
   keep(still, sigmas, 0, count);
   // Compression holds a picture in which nothing moves, with its errors, from one to the next: that is not the noise of
   // a motion, by which a rest scatters as the motion does beside its course.
-  const std::vector<double>& readings = out.motion.channels.front().values;
-  const std::vector<double> moving(readings.begin() + static_cast<std::ptrdiff_t>(count), readings.end());
-  constexpr double shows_noise = 0.5;
-  const double stated = rms(out.sigmas);
-  const double deviation = moving.size() < fewest ? stated : std::min(stated, noise_of(moving));
+  const auto moving = std::span(out.sigmas).subspan(out.sigmas.size() - count < fewest ? 0 : count);
+  constexpr double shows_noise = 0.4;  // of the stated deviation, which is 1.2 times the scatter
   if (const std::vector<double>& resting = still.channels.front().values;
-      repeat_each_other(resting) || scatter_of(resting) < shows_noise * deviation) {
+      repeat_each_other(resting) || scatter_of(resting) < shows_noise * rms(moving)) {
     out.why_no_still =
         "compression has smoothed the pictures before it moves: they do not show the noise, and are no still run";
     return;

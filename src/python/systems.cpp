@@ -134,8 +134,8 @@ systems::CellDrive cell_of(const Words& words) {
   systems::CellDrive out{.circuit = {.emf = *words.optional("cell_voltage"),
                                      .resistance = words.number("supply_resistance"),
                                      .switch_resistance = words.number("switch_resistance_mOhm") * 1e-3},
-                         .capacity = *words.optional("cell_capacity_mAh") * 3.6,
                          .most_current = words.optional("cell_limit")};
+  if (const auto capacity = words.optional("cell_capacity_mAh")) out.capacity = *capacity * 3.6;
   out.circuit.diode_voltage = words.optional("diode_voltage").value_or(out.circuit.diode_voltage);
   return out;
 }

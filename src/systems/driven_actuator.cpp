@@ -44,8 +44,8 @@ void check(const DriveQuestion& question) {
   if (question.duty) require(*question.duty >= 0.0 && *question.duty <= 1.0, "duty", "from 0 to 1", *question.duty);
   require(question.actuators >= 1, "actuators", ">= 1", question.actuators);
   if (const auto* cell = std::get_if<CellDrive>(&question.driver)) {
-    require(cell->capacity > 0.0, "capacity", "> 0", cell->capacity, "A s");
-    require(cell->current_limit() > 0.0, "most_current", "finite and > 0", cell->current_limit(), "A");
+    if (cell->capacity) require(*cell->capacity > 0.0, "capacity", "> 0", *cell->capacity, "A s");
+    if (const auto limit = cell->current_limit()) require(*limit > 0.0, "most_current", "finite and > 0", *limit, "A");
   }
 }
 
@@ -169,7 +169,8 @@ std::vector<DriveWarning> warnings_of(const DrivenActuator& answer, const Solved
     warn(answer.supply_voltage > bridge->ratings.highest_voltage, DriveWarning::above_voltage);
     warn(answer.driver.peak > bridge->ratings.peak_current, DriveWarning::above_peak);
   } else {
-    warn(answer.driver.peak > std::get<CellDrive>(question.driver).current_limit(), DriveWarning::above_cell);
+    const auto limit = std::get<CellDrive>(question.driver).current_limit();
+    warn(limit && answer.driver.peak > *limit, DriveWarning::above_cell);
   }
   warn(answer.duty > 0.0 && answer.duty < 1.0 && answer.duty <= solved.driver.dead_time * frequency,
        DriveWarning::dead_time);
@@ -223,8 +224,8 @@ DrivenActuator drive_actuator(const Design& design, const Assembly& assembly, co
     const double hottest = of_coils(design, heat.hot_spots).maxCoeff();
     if (hottest < copper_melts) out.steady_hot_spot = hottest;
   }
-  if (const auto* cell = std::get_if<CellDrive>(&question.driver))
-    out.run_time = drive::run_time(cell->capacity, solved.current.supply_mean);
+  if (const auto* cell = std::get_if<CellDrive>(&question.driver); cell != nullptr && cell->capacity)
+    out.run_time = drive::run_time(*cell->capacity, solved.current.supply_mean);
   out.warnings = warnings_of(out, solved, question);
   return out;
 }

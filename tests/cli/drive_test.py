@@ -194,6 +194,16 @@ class Drive(ProgramTest):
         self.assertRegex(run("drive", FINGER, *pulses, "--actuators", "2").stdout,
                          r"\nThe peak of 4\.\d+ A is above the 3 A that the cell delivers \(20 times its capacity an hour; ")
 
+    def test_a_cell_whose_capacity_is_not_given_has_no_time_and_no_limit_but_all_else(self):
+        pulses = ("--duty", "0.5", "--frequency-Hz", "10", "--actuators", "2")
+        known = answer(*pulses, *CELL)
+        unknown = answer(*pulses, *CELL[:2])
+        self.assertEqual(set(known) - set(unknown), {"run_time_s"})
+        self.assertEqual(set(known["warnings"]) - set(unknown["warnings"]), {"above_cell"})
+        self.assertEqual(known["coil"], unknown["coil"])
+        self.assertIn("above_cell", answer(*pulses, *CELL[:2], "--cell-limit-A", "3")["warnings"])
+        self.assertNotIn("The cell lasts", run("drive", FINGER, *pulses, *CELL[:2]).stdout)
+
     def test_refuses_what_makes_no_sense(self):
         for arguments, message in (
             ((), "--duty: or --mean-A is needed: what is set, or what is wanted"),
@@ -206,7 +216,7 @@ class Drive(ProgramTest):
              "--supply-voltage-V: with --duty and --mean-A the voltage is what is looked for"),
             (("--duty", "0.5", "--frequency-Hz", "0"), "--frequency-Hz"),
             (("--duty", "0.5", "--decay", "mixed"), '--decay: must be one of "slow", "fast"; got "mixed"'),
-            (("--duty", "0.5", "--cell-voltage-V", "4.2"), "--cell-voltage-V requires --cell-capacity-mAh"),
+            (("--duty", "0.5", "--cell-capacity-mAh", "150"), "--cell-capacity-mAh requires --cell-voltage-V"),
             (("--duty", "0.5", "--decay", "fast", *CELL), "--decay excludes --cell-voltage-V"),
             (("--duty", "0.5", "--bridge-peak-A", "5", *CELL), "--bridge-peak-A excludes --cell-voltage-V"),
             (("--duty", "0.5", "--bridge-highest-V", "0"), "--bridge-highest-V"),

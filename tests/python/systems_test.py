@@ -59,7 +59,7 @@ def test_a_field_is_that_of_the_command_to_the_digit(tmp_path, program):
 
 @pytest.mark.parametrize("ask, error", [
     (lambda finger: cw.drive(finger), "give duty, mean_current or both"),
-    (lambda finger: cw.drive(finger, duty=0.5, cell_voltage=4), "belong together"),
+    (lambda finger: cw.drive(finger, duty=0.5, cell_capacity_mAh=150), "give cell_voltage, too"),
     (lambda finger: cw.drive(finger, duty=0.5, wiring="star"), "wiring: must be 'parallel' or 'series'; got 'star'"),
     (lambda finger: cw.grip(finger, width_mm=60, mass_g=1, friction=1, shape="box"), "height_mm"),
     (lambda finger: cw.reach(finger, 900), "actuator|paper_finger"),

@@ -156,8 +156,9 @@ TEST(DrivenActuator, RejectsWhatIsNone) {
             "mean must be > 0; got -0.4 A");
   EXPECT_EQ(error_text([] { (void)driven({.driver = ideal_bridge(0.0), .duty = 0.5}); }),
             "supply_voltage: must be finite and > 0; got 0");
-  EXPECT_EQ(error_text([] { (void)driven({.driver = CellDrive{.circuit = {.emf = 4.2}}, .duty = 0.5}); }),
-            "capacity must be > 0; got 0 A s");
+  EXPECT_EQ(
+      error_text([] { (void)driven({.driver = CellDrive{.circuit = {.emf = 4.2}, .capacity = 0.0}, .duty = 0.5}); }),
+      "capacity must be > 0; got 0 A s");
   EXPECT_EQ(
       error_text([] { (void)driven({.driver = ideal_bridge(200.0), .mean = 5.0, .coil_temperature = std::nullopt}); }),
       "coil temperature must be given: held for good, this drive heats the coils beyond 1085 degC, where copper "

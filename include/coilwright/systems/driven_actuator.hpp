@@ -16,11 +16,13 @@ namespace coilwright::systems {
 /// A battery cell with a switch.
 struct CellDrive {
   drive::CellSwitch circuit{};
-  double capacity{};                     ///< A s; finite, > 0
+  std::optional<double> capacity{};      ///< A s; finite, > 0; absent: the run time is not computed
   std::optional<double> most_current{};  ///< largest current, A; finite, > 0; absent: 20 times the capacity an hour
 
-  /// The largest current: most_current, or the usual rating of small lithium cells.
-  [[nodiscard]] double current_limit() const { return most_current.value_or(20.0 * capacity / 3600.0); }
+  /// The largest current: most_current, or the usual rating of small lithium cells. Absent if neither is known.
+  [[nodiscard]] std::optional<double> current_limit() const {
+    return most_current || !capacity ? most_current : std::optional(20.0 * *capacity / 3600.0);
+  }
 };
 
 /// The drive of an actuator, and the question about it. At least one of duty and mean current is given: the duty alone

@@ -68,8 +68,8 @@ systems::CellDrive cell_of(const DriveOptions& options) {
   systems::CellDrive cell{.circuit = {.emf = *options.cell_voltage,
                                       .resistance = options.supply_resistance,
                                       .switch_resistance = options.switch_resistance.value_or(50.0) * 1e-3},
-                          .capacity = *options.cell_capacity * 3.6,
                           .most_current = options.cell_limit};
+  if (options.cell_capacity) cell.capacity = *options.cell_capacity * 3.6;
   cell.circuit.diode_voltage = options.diode_voltage.value_or(cell.circuit.diode_voltage);
   return cell;
 }
@@ -216,11 +216,11 @@ void add_driver(CLI::App& command, DriveOptions& options) {
                           "Drives by a battery cell of this open voltage through a switch instead, V");
   for (CLI::Option* other : {supply, decay, limit, high, low, dead, off, blanking, lowest, highest, peak})
     cell->excludes(other);
-  auto* capacity = add_number(command, "--cell-capacity-mAh", options.cell_capacity, up_to(1e6), "Of the cell, mAh");
-  capacity->needs(cell);
-  cell->needs(capacity);
+  add_number(command, "--cell-capacity-mAh", options.cell_capacity, up_to(1e6),
+             "Of the cell, mAh; says how long it lasts")
+      ->needs(cell);
   add_number(command, "--cell-limit-A", options.cell_limit, up_to(1e3),
-             "The most that the cell delivers, A (default 20 times its capacity an hour)")
+             "The most that the cell delivers, A (default 20 times its capacity an hour, where that is given)")
       ->needs(cell);
   add_number(command, "--switch-resistance-mOhm", options.switch_resistance, Rule::between(0.0, 1e5),
              "Of the cell's switch, mOhm (default 50)")

@@ -66,8 +66,8 @@ def drive(actuator: Actuator, *, duty: Optional[float] = None, mean_current: Opt
     """
     if duty is None and mean_current is None:
         raise ValueError("give duty, mean_current or both")
-    if (cell_voltage is None) != (cell_capacity_mAh is None):
-        raise ValueError("cell_voltage and cell_capacity_mAh belong together")
+    if cell_voltage is None and cell_capacity_mAh is not None:
+        raise ValueError("cell_capacity_mAh is of a cell: give cell_voltage, too")
     if duty is not None and mean_current is not None and not (cell_voltage is None and supply_voltage is None):
         raise ValueError("with duty and mean_current the voltage is what is looked for: give no supply_voltage and no cell_voltage")
     _one_of("wiring", wiring, ("parallel", "series"))

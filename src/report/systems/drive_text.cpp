@@ -153,7 +153,7 @@ std::string sentence(DriveWarning warning, const DrivenActuator& driven, const D
       const auto& cell = std::get<systems::CellDrive>(question.driver);
       return fmt::format(
           "The peak of {} A is above the {} A that the cell delivers ({}): its voltage breaks down.",
-          number(driven.driver.peak), number(cell.current_limit()),
+          number(driven.driver.peak), number(*cell.current_limit()),
           cell.most_current ? "--cell-limit-A" : "20 times its capacity an hour; --cell-limit-A says otherwise");
     }
     case DriveWarning::dead_time:

@@ -44,6 +44,12 @@ class Force(ProgramTest):
             compared += 1
         self.assertGreater(compared, 5)
 
+    def test_a_pose_without_an_axis_is_coaxial(self):
+        pair = json.loads((DATA / "formats" / "two_magnets.json").read_text())
+        pair["poses"] = [{"position_mm": [0, 0, 30]}, {"position_mm": [0, 0, 30], "axis": [0, 0, 1]}]
+        plain, stated = self.wrench(pair)
+        self.assertEqual(plain["force_N"], stated["force_N"])
+
     def test_says_where_the_bodies_are_in_the_same_place(self):
         pair = json.loads((DATA / "formats" / "two_magnets.json").read_text())
         pair["poses"] = [{"position_mm": [0, 0, z], "axis": [0, 0, 1]} for z in (30, 1, 31, 2)]

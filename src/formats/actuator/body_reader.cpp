@@ -94,7 +94,8 @@ Magnet read_magnet(const Node& node) {
 
 Pose read_pose(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
-    Pose pose{.position = vector_of(in.vector("position_mm", coordinate)), .axis = read_direction(in.at("axis"))};
+    Pose pose{.position = vector_of(in.vector("position_mm", coordinate))};
+    pose.axis = direction_or(in, "axis", pose.axis);
     read_x_axis(in, pose);
     return pose;
   });

@@ -14,9 +14,13 @@ FieldPlaces field_places(std::span<const Body> bodies, const std::optional<Plate
     for (const Eigen::Vector3d& each : flux_density(sources, points)) out.samples.push_back({.flux_density = each});
   for (const Eigen::Vector3d& point : points) {
     std::size_t within = 0;
-    for (std::size_t i = bodies.size(); i > 0; --i)
+    std::size_t on_edge = 0;
+    for (std::size_t i = bodies.size(); i > 0; --i) {
       if (is_inside(bodies[i - 1], point)) within = i;
+      if (is_on_edge(bodies[i - 1], point)) on_edge = i;
+    }
     out.within.push_back(within);
+    out.on_edge.push_back(on_edge);
     out.in_iron.push_back(plate && plate->normal.dot(point - plate->position) < 0.0);
   }
   return out;

@@ -143,7 +143,7 @@ py::tuple field(const Pair& pair, const Array& points_mm, std::size_t pose, bool
   py::array_t<int> within(static_cast<py::ssize_t>(count));
   for (std::size_t i = 0; i < count; ++i) {
     const magnetics::FieldSample& sample = found.samples[i];
-    const double unknown = found.in_iron[i] ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+    const double unknown = found.in_iron[i] || found.on_edge[i] > 0 ? std::numeric_limits<double>::quiet_NaN() : 0.0;
     for (int k = 0; k < 3; ++k) {
       flux.mutable_data()[3 * i + static_cast<std::size_t>(k)] =
           units::from_si(sample.flux_density[k], "B_mT") + unknown;

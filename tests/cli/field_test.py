@@ -37,6 +37,26 @@ class Field(ProgramTest):
 
         self.assertAlmostEqual(point["flux_density_mT"][2], 1300 / math.pi * (angle(4) - angle(9)), delta=1e-6)
 
+    def test_has_no_number_for_the_infinite_field_on_an_edge(self):
+        bodies = {"bodies": [{"magnet": {"radius_mm": 4, "length_mm": 6, "remanence_T": 1.3}},
+                             {"name": "block", "magnet": {"size_mm": [10, 10, 5], "remanence_T": 1.3}, "position_mm": [0, 0, 30]},
+                             {"coil": {"inner_radius_mm": 5, "outer_radius_mm": 9, "length_mm": 10, "turns_radial": 8,
+                                       "turns_axial": 20}, "current_A": 1, "position_mm": [40, 0, 0]}]}
+        on = ((4, 0, 3), (0, -4, -3), (5, 1, 32.5), (5, 5, 27.5))
+        beside = ((4, 0, 2.999), (5, 5, 30), (49, 0, 5))  # on a side, on an edge without a pole, on one of a coil
+        asked = [str(number) for point in (*on, *beside) for number in ("--at", *point)]
+        points = self.points(bodies, *asked)
+        for point in points[:len(on)]:
+            self.assertIsNone(point["flux_density_mT"])
+            self.assertNotIn("magnitude_mT", point)
+        self.assertEqual([point.get("on_edge_of") for point in points], ["magnet 1"] * 2 + ["block"] * 2 + [None] * len(beside))
+        self.assertTrue(all(point["magnitude_mT"] < 2000 for point in points[len(on):]))
+        text = run("field", "pair.json", *asked, cwd=self.folder).stdout.splitlines()
+        self.assertRegex(text[3], r"\A +5 +1 +32\.5  infinite, on an edge of block\Z")
+        self.write("points.csv", "x_mm,y_mm,z_mm\n4,0,3\n0,0,10\n")
+        self.assertEqual(run("field", "pair.json", "--points", "points.csv", "--out", "b.csv", cwd=self.folder).returncode, 0)
+        self.assertEqual([row["B_mT"] == "" for row in self.table("b.csv")], [True, False])
+
     def test_has_the_gradient_of_a_coil_whose_trace_is_none(self):
         pair = json.loads((DATA / "formats" / "pair.json").read_text())
         one, two = (self.points(pair, "--gradient", "--at", "2", "1", z)[0] for z in ("30", "30.01"))

@@ -292,6 +292,34 @@ TEST(Field, InAMagnetIsInTheMeanThatOfItsDemagnetisationFactors) {
   EXPECT_NEAR(demagnetisation_factors(Cuboid{.size = {1.0, 1.0, 1.0}}).z(), 1.0 / 3.0, 1e-14);
 }
 
+// Those of the faces through which it is magnetised.
+TEST(Field, IsInfiniteOnTheEdgesOfPolesAlone) {
+  const auto block = [](const Eigen::Vector3d& remanence) {
+    return Body{.part = Magnet{.shape = Cuboid{.size = {4e-3, 6e-3, 8e-3}}, .remanence = remanence},
+                .pose = {.position = {1e-3, 2e-3, 3e-3}, .axis = {0.3, -0.2, 1.0}}};
+  };
+  const auto ring = [](const Eigen::Vector3d& remanence) {
+    return Body{.part = Magnet{.shape = Ring{.inner_radius = 2e-3, .outer_radius = 5e-3, .length = 6e-3},
+                               .remanence = remanence}};
+  };
+  const auto is_on = [](const Body& body, const Eigen::Vector3d& own) {
+    return is_on_edge(body, body.pose.position + rotation_of(body.pose) * own);
+  };
+  const Eigen::Vector3d along(0.0, 0.0, 1.2), across(1.2, 0.0, 0.0);
+  EXPECT_TRUE(is_on(block(along), {2e-3, 1e-3, -4e-3}));
+  EXPECT_TRUE(is_on(block(along), {2e-3, 3e-3, 4e-3}));
+  EXPECT_FALSE(is_on(block(along), {2e-3, 3e-3, 1e-3}));  // between two sides without a pole
+  EXPECT_TRUE(is_on(block(across), {2e-3, 3e-3, 1e-3}));
+  EXPECT_FALSE(is_on(block(along), {2e-3, 1e-3, 1e-3}));
+  EXPECT_FALSE(is_on(block(along), {2.0001e-3, 1e-3, -4e-3}));
+  for (const double edge : {2e-3, 5e-3}) {
+    EXPECT_TRUE(is_on(ring(along), {0.6 * edge, 0.8 * edge, 3e-3}));
+    EXPECT_TRUE(is_on(ring(across), {0.6 * edge, 0.8 * edge, -3e-3}));
+    EXPECT_FALSE(is_on(ring(across), {0.0, edge, 3e-3}));  // there its side has no pole
+  }
+  EXPECT_FALSE(is_on(ring(along), {0.0, 3e-3, 3e-3}));
+}
+
 TEST(Field, OfSeveralBodiesIsTheirSum) {
   const std::vector<Body> bodies = each_kind();
   const Eigen::Vector3d point(9e-3, 7e-3, 12e-3);

@@ -26,6 +26,10 @@ struct FieldSample {
 [[nodiscard]] std::vector<Eigen::Vector3d> flux_density(std::span<const Body> bodies,
                                                         std::span<const Eigen::Vector3d> points);
 
+/// Whether a point lies on an edge of a body, within 1e-12 of its size, where field() is infinite: the edge of a
+/// magnet's face through which it is magnetised.
+[[nodiscard]] bool is_on_edge(const Body& body, const Eigen::Vector3d& point);
+
 /// Whether a point lies in a body's copper or magnet, excluding its surface.
 [[nodiscard]] bool is_inside(const Body& body, const Eigen::Vector3d& point);
 

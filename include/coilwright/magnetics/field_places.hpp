@@ -14,7 +14,8 @@ namespace coilwright::magnetics {
 /// The field of bodies beside a plate at many points, and the places of these points.
 struct FieldPlaces {
   std::vector<FieldSample> samples{};
-  std::vector<std::size_t> within{};  ///< number of the body that a point lies in, from 1 on; 0 for none
+  std::vector<std::size_t> within{};   ///< number of the body that a point lies in, from 1 on; 0 for none
+  std::vector<std::size_t> on_edge{};  ///< number of the magnet on whose edge a point lies, where B is infinite; or 0
   std::vector<bool> in_iron{};  ///< whether the point is behind the face of the plate, where its mirror does not hold
 };
 

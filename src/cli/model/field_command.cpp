@@ -173,11 +173,16 @@ std::vector<std::string> field_columns(bool gradient) {
   return out;
 }
 
-// The numbers of a point in the order of the columns, without the last one; of one in iron its place alone.
+// Whether there is a B to tell of a point: in iron it is not known, on an edge of a magnet infinite.
+bool is_told(const FieldPlaces& answer, std::size_t i) {
+  return !answer.in_iron[i] && answer.on_edge[i] == 0;
+}
+
+// The numbers of a point in the order of the columns, without the last one; its place alone where B is not told.
 std::vector<double> numbers_of(const Question& question, const FieldPlaces& answer, std::size_t i, bool gradient) {
   const auto& point = question.points[i];
   std::vector<double> out{from_si(point.x(), "x_mm"), from_si(point.y(), "y_mm"), from_si(point.z(), "z_mm")};
-  if (answer.in_iron[i]) return out;
+  if (!is_told(answer, i)) return out;
   const FieldSample& sample = answer.samples[i];
   for (const double each :
        {sample.flux_density.x(), sample.flux_density.y(), sample.flux_density.z(), sample.flux_density.norm()})
@@ -206,6 +211,8 @@ Json as_json(const Question& question, const FieldPlaces& answer, const PairFile
     Json row = Json::object({{"position_mm", Json::numbers(std::array{n[0], n[1], n[2]})}});
     if (answer.in_iron[i]) {
       row.set("flux_density_mT", Json()).set("inside", "plate");
+    } else if (answer.on_edge[i] > 0) {
+      row.set("flux_density_mT", Json()).set("inside", Json()).set("on_edge_of", file.names[answer.on_edge[i] - 1]);
     } else {
       row.set("flux_density_mT", Json::numbers(std::array{n[3], n[4], n[5]})).set("magnitude_mT", n[6]);
       if (gradient) {
@@ -230,7 +237,9 @@ std::string as_table(const Question& question, const FieldPlaces& answer, const 
     for (std::size_t k = 0; k < numbers.size(); ++k)
       text += k < 3 ? fmt::format(" {:>10.6g}", numbers[k]) : fmt::format(" {:>16.9g}", numbers[k]);
     if (answer.in_iron[i]) text += "  plate";
-    if (!answer.in_iron[i] && answer.within[i] > 0) text += "  " + file.names[answer.within[i] - 1];
+    if (!answer.in_iron[i] && answer.on_edge[i] > 0)
+      text += fmt::format("  infinite, on an edge of {}", file.names[answer.on_edge[i] - 1]);
+    if (is_told(answer, i) && answer.within[i] > 0) text += "  " + file.names[answer.within[i] - 1];
     text += '\n';
   }
   return text;
@@ -239,8 +248,8 @@ std::string as_table(const Question& question, const FieldPlaces& answer, const 
 std::string map_of(const Question& question, const FieldPlaces& answer, const std::string& pair) {
   std::vector<Eigen::Vector3d> flux;
   for (std::size_t i = 0; i < answer.samples.size(); ++i)
-    flux.push_back(answer.in_iron[i] ? Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())
-                                     : answer.samples[i].flux_density);
+    flux.push_back(is_told(answer, i) ? answer.samples[i].flux_density
+                                      : Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
   return exports::field_map_svg(*question.plane, flux, question.bodies, "Flux density of " + pair);
 }
 
@@ -328,7 +337,8 @@ void add_field_command(CLI::App& app, Outcome&) {
       "Positions and B are in the axes of the file (of a pair: of the first body). 1 mT is 10 gauss, 1 T/m is 1 "
       "mT/mm.\n"
       "On the surface of a body B is that just outside; in the copper or in a magnet it is that there, and the last\n"
-      "column says in which. Beside a plate B is that in front of it.\n\n"
+      "column says in which. Beside a plate B is that in front of it. On an edge of a magnet it is\n"
+      "infinite, and no number is printed.\n\n"
       "Examples:\n"
       "  coilwright field pair.json --at 0 0 20\n"
       "  coilwright field pair.json --map xz --out map.csv --svg map.svg");

@@ -133,7 +133,7 @@ class Field(NamedTuple):
     """
 
     flux_density_mT: NDArray[np.float64]
-    """(points, 3), B; nan in the iron of a plate."""
+    """(points, 3), B; nan in the iron of a plate and on an edge of a magnet, where it is infinite."""
     gradient_T_m: NDArray[np.float64]
     """(points, 3, 3), dB_i / dx_j; none (0, 3, 3) where it was not asked for."""
     inside: tuple[Optional[str], ...]

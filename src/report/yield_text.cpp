@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "coilwright/report/simulation/text_table.hpp"
@@ -143,8 +145,12 @@ std::string to_text(const sizing::Yield& yield) {
   out += failures_text(yield);
   out += "\n" + quantities_text(yield) + shortfalls_text(yield);
   if (yield.worths.empty()) return out;
+  std::set<std::string> shown;  // a quantity may have two limits, or be an objective with one
   for (std::size_t i = 0; i < yield.quantities.size(); ++i)
-    if (const std::string shares = shares_text(yield, i); !shares.empty()) out += "\n" + shares;
+    if (!shown.insert(yield.quantities[i].name).second)
+      continue;
+    else if (const std::string shares = shares_text(yield, i); !shares.empty())
+      out += "\n" + shares;
   return out + "\n" + halves_text(yield);
 }
 

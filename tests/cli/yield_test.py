@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import time
@@ -260,6 +261,28 @@ class Yield(ProgramTest):
         text = run("yield", "study.json", "finger.json", "--builds", "50", "--worth", "64", "--quiet", cwd=self.folder).stdout
         self.assertIn("builds by fresh dice keep every limit", text)
         self.assertIn("If one of them scattered half as far, every limit would be kept by", text)
+
+    def test_a_share_is_one_and_said_once_of_a_quantity_with_two_limits(self):
+        # So few builds that half of the estimates lie beyond what a share can be.
+        write_study(self, spread={"parts": "usual"}, operating_point={"current_A": 1.2},
+                    constraints=[{"quantity": "mass_g", "at_most": 80}, {"quantity": "mass_g", "at_least": 40},
+                                 {"quantity": "peak_bending_speed_deg_s", "at_least": 1}])
+        answer = self.answer("--builds", "30", "--worth", "16")
+        shares = [each for row in answer["scatters"] for kind in ("first", "total") for each in row[kind] if each]
+        self.assertGreater(len(shares), 20)
+        for each in shares:
+            self.assertTrue(0 <= each["low"] <= each["high"] <= 1 and 0 <= each["value"] <= 1, each)
+        text = run("yield", "study.json", "finger.json", "--builds", "30", "--worth", "16", "--quiet", cwd=self.folder).stdout
+        heads = [line for line in text.splitlines() if "share of its variance" in line]
+        self.assertGreaterEqual(len(heads), 2)
+        self.assertEqual(len(heads), len(set(heads)))
+
+    def test_a_study_without_a_spread_is_told_of_one_that_works(self):
+        write_study(self, operating_point={"current_A": 1.2})
+        result = run("yield", "study.json", "finger.json", cwd=self.folder)
+        (block,) = re.findall(r'needs the block "spread" \((\{.*?\})\)', result.stderr)
+        write_study(self, operating_point={"current_A": 1.2}, spread=json.loads(block))
+        self.assertEqual(len(self.answer("--builds", "20")["quantities"]), 3)
 
     def test_each_joint_draws_its_own(self):
         # Without a current one magnet has nothing to pull at: rest angles vary with the joints alone.

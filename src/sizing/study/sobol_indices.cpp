@@ -48,11 +48,13 @@ double variance_of(const SaltelliValues& values, const std::vector<std::size_t>&
 
 SobolIndex index_of(double value, std::vector<double> resampled) {
   constexpr double beyond = 0.025;  // of a 95 % interval, each side
+  // The estimates of a share may lie beyond what a share can be.
+  for (double& each : resampled) each = std::clamp(each, 0.0, 1.0);
   std::ranges::sort(resampled);
   const auto at = [&](double share) {
     return resampled[static_cast<std::size_t>(std::lround(share * static_cast<double>(resampled.size() - 1)))];
   };
-  return {.value = value, .low = at(beyond), .high = at(1.0 - beyond)};
+  return {.value = std::clamp(value, 0.0, 1.0), .low = at(beyond), .high = at(1.0 - beyond)};
 }
 
 }  // namespace

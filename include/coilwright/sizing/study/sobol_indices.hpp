@@ -7,7 +7,8 @@
 namespace coilwright::sizing {
 
 /// Share of a quantity's variance that a scatter causes, with its 95 % interval by bootstrap: by itself, or including
-/// its interactions (Saltelli et al., Computer Physics Communications 181 (2010) 259, with Jansen's sums).
+/// its interactions (Saltelli et al., Computer Physics Communications 181 (2010) 259, with Jansen's sums). Each is 0 to
+/// 1: an estimate beyond that becomes the bound.
 struct SobolIndex {
   double value{};
   double low{};

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 #include "coilwright/text/one_line.hpp"
@@ -89,12 +90,27 @@ std::string must_be_one_of(std::span<const std::string> legal) {
   return fmt::format("must be {}{}", legal.size() == 1 ? "" : "one of ", fmt::join(shown, ", "));
 }
 
+std::string radius_or_diameter(std::string_view word, std::span<const std::string> candidates) {
+  constexpr std::string_view radius = "radius", diameter = "diameter";
+  for (const auto& [said, meant, relation] :
+       {std::tuple(diameter, radius, "half of the diameter"), std::tuple(radius, diameter, "twice the radius")}) {
+    const std::size_t at = word.find(said);
+    if (at == std::string_view::npos) continue;
+    const std::string other = fmt::format("{}{}{}", word.substr(0, at), meant, word.substr(at + said.size()));
+    for (const std::string& each : candidates)
+      if (each.starts_with(other)) return fmt::format("; did you mean {}, {}?", in_quotes(each), relation);
+  }
+  return {};
+}
+
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
   const auto begins = [&](const std::string& each) { return each.starts_with(word); };
   const auto has = [&, inside = between_underscores(word)](const std::string& each) {
     return begins(each) || between_underscores(each).find(inside) != std::string::npos;
   };
   std::vector<std::string> words = matching_words(word, candidates, has);
+  if (words.empty())
+    if (std::string other = radius_or_diameter(word, candidates); !other.empty()) return other;
   if (words.empty()) words = matching_words(word, candidates, begins);
   if (words.empty()) words = nearest_words(word, candidates);
   if (words.empty() || words.size() > most_words) return {};

@@ -32,6 +32,19 @@ class Usage(ProgramTest):
         self.assert_refused(["drive", "x.json", "--wiring", "par"], 'drive: --wiring: must be one of "series", '
                             '"parallel"; did you mean "parallel"?; got "par" (see coilwright drive --help)')
 
+    def test_a_radius_is_named_where_its_diameter_was_meant(self):
+        write_study(self)
+        evaluate = ("evaluate", "finger.json", "--current-A", "1", "--set")
+        for said, meant in (("magnet_diameter_mm=6", '"magnet_radius_mm", half of the diameter'),
+                            ("coil_inner_diameter_mm=6", '"coil_inner_radius_mm", half of the diameter'),
+                            ("magnet_diameter=6", '"magnet_radius_mm", half of the diameter'),
+                            ("wire_radius_mm=0.2", '"wire_diameter_mm", twice the radius')):
+            self.assert_refused([*evaluate, said], f"{said}: is not a number of a design; did you mean {meant}?")
+        self.assertEqual(run(*evaluate, "magnet_radius_mm=3", cwd=self.folder).returncode, 0)
+        self.write("pair.json", json.dumps({"bodies": [{"magnet": {"diameter_mm": 8, "length_mm": 6, "remanence_T": 1.3}}]}))
+        self.assertIn('did you mean "radius_mm", half of the diameter?', run("field", "pair.json", "--at", "0", "0", "9",
+                                                                             cwd=self.folder).stderr)
+
     def test_an_unknown_option_is_named_before_a_missing_one(self):
         self.assert_refused(["size", "x.json", "--otu", "y"],
                             'size: unknown option "--otu"; did you mean "--out"? (see coilwright size --help)')

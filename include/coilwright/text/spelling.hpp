@@ -22,9 +22,13 @@ namespace coilwright::text {
 /// The rule for a text that must be one of `legal` words: `must be "fit"`, `must be one of "fit", "validate"`.
 [[nodiscard]] std::string must_be_one_of(std::span<const std::string> legal);
 
+/// The candidate that gives the radius of what `word` gives the diameter of, or the reverse: `; did you mean
+/// "magnet_radius_mm", half of the diameter?` for "magnet_diameter_mm". Empty if there is none.
+[[nodiscard]] std::string radius_or_diameter(std::string_view word, std::span<const std::string> candidates);
+
 /// A suggestion, `; did you mean "evaluate"?`: the candidates that have `word` among their words ("mass" for "mass_g")
-/// or, if these are too many, those that begin with it, or else the nearest ones. Empty if no candidate is near, or
-/// more than four are.
+/// or, if these are too many, those that begin with it, or else that of radius_or_diameter(), or else the nearest ones.
+/// Empty if no candidate is near, or more than four are.
 [[nodiscard]] std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace coilwright::text

@@ -129,9 +129,10 @@ void ObjectReader::finish() const {
 
 InputError ObjectReader::missing(std::string_view key, const std::vector<std::string>& legal) const {
   std::vector<std::string> strangers;
+  const std::vector<std::string> wanted{std::string(key)};
   for (const std::string& present : node_.keys()) {
     if (asked_for_.contains(present)) continue;
-    if (differs_in_unit_only(present, key)) return unknown(present);
+    if (differs_in_unit_only(present, key) || !radius_or_diameter(present, wanted).empty()) return unknown(present);
     strangers.push_back(present);
   }
   // Not all keys have been asked for yet, so the near one may be legal in its own right: a question, not a verdict.

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "cli/command_tree.hpp"
+#include "cli/other_format.hpp"
 #include "cli/programs.hpp"
 #include "coilwright/results/build_info.hpp"
 #include "coilwright/results/sha256.hpp"
@@ -179,7 +180,8 @@ ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, co
     return usage_error(format, chosen(app), unexpected_argument(app).value_or(usage_message(error)));
   } catch (const text::InputError& error) {
     if (is_out_of_threads(error)) return out_of_threads(format);
-    return fail(format, ExitCode::bad_input, error.what(), error.fault());
+    const text::InputError said = with_next_step(error);
+    return fail(format, ExitCode::bad_input, said.what(), said.fault());
   } catch (const text::OutputError& error) {
     const bool before_the_work = error.stage() == text::OutputError::Stage::preparing;
     return fail(format, before_the_work ? ExitCode::bad_input : ExitCode::failure, error.what());

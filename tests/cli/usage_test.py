@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import resource
 import shutil
 import subprocess
@@ -31,6 +32,21 @@ class Usage(ProgramTest):
                             '(see coilwright size --help)')
         self.assert_refused(["drive", "x.json", "--wiring", "par"], 'drive: --wiring: must be one of "series", '
                             '"parallel"; did you mean "parallel"?; got "par" (see coilwright drive --help)')
+
+    def test_a_file_for_another_command_is_named_with_that_command(self):
+        write_study(self, constraints=[], search={"max_evaluations": 20})
+        for command in (("evaluate",), ("drive", "--duty", "0.5"), ("simulate", "--step-A", "1", "--out", "motion.csv")):
+            result = run(*command, "study.json", cwd=self.folder)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn('this is a study: coilwright size study.json --out results finds its design, results/actuator.json; got '
+                          'text "study/1"', result.stderr)
+        (cure,) = re.findall(r"coilwright (size .*?) finds", result.stderr)
+        self.assertEqual(run(*cure.split(), "--quiet", cwd=self.folder).returncode, 0)
+        self.assertEqual(run("evaluate", "results/actuator.json", cwd=self.folder).returncode, 0)
+        self.assertIn("this is an actuator: a study that is about it has its name: coilwright init study writes one",
+                      run("size", "finger.json", "--out", "out", cwd=self.folder).stderr)
+        self.write("old.json", '{"format": "study/0"}')
+        self.assert_refused(["size", "old.json", "--out", "out"], 'old.json: /format: must be "study/1"; got text "study/0"')
 
     def test_a_radius_is_named_where_its_diameter_was_meant(self):
         write_study(self)

@@ -26,6 +26,7 @@
 #include "cli/command_tree.hpp"
 #include "cli/other_format.hpp"
 #include "cli/programs.hpp"
+#include "cli/report_option.hpp"
 #include "coilwright/results/build_info.hpp"
 #include "coilwright/results/sha256.hpp"
 #include "coilwright/text/input_error.hpp"
@@ -172,7 +173,9 @@ ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, co
   try {
     if (const CommandPlace* place = place_of(subject_of(arguments)); place != nullptr && is_elsewhere(app, place->name))
       go_on_in(place->program, arguments);
-    app.parse(static_cast<int>(arguments.size()), arguments.data());
+    std::vector<std::string> words = with_named_pages(arguments.subspan(std::min<std::size_t>(1, arguments.size())));
+    std::ranges::reverse(words);  // as CLI11 takes them
+    app.parse(std::move(words));
   } catch (const CLI::Success& help_or_version) {
     app.exit(help_or_version, std::cout, std::cerr);
   } catch (const CLI::ParseError& error) {

@@ -52,6 +52,25 @@ class Report(ProgramTest):
         self.assertEqual((red.returncode, red.stdout), (0, "\\x1b[31mred/a.html\n"))
         self.assertEqual((self.folder / "again.html").read_text(), page)
 
+    def test_a_page_of_a_run_may_have_a_name_of_its_own(self):
+        write_study(self)
+        self.write("mine.html", "<p>mine</p>")
+        for name, message in (("mine.html", "mine.html: cannot be written: it holds something else; --force replaces it, another "
+                                            "--out keeps it"),
+                              ("page.txt", 'size: --report: must end in .html; got "page.txt" (see coilwright size --help)'),
+                              ("no/page.html", "no/page.html: cannot be written: No such file or directory")):
+            self.assert_refused(("size", "study.json", "--out", "out", "--report", name), message)  # before the work
+        for place, command in enumerate((("size", "--report", "a.html", "study.json", "--out", "out"),
+                                         ("size", "study.json", "--out", "out", "--report=b.html"),
+                                         ("size", "--out", "out", "--report", "study.json"))):
+            done = run(*command, "--quiet", "--answer-only", "--force", cwd=self.folder)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), command)
+            self.assertEqual((self.folder / "out/report.html").exists(), place == 2)
+        pages = [(self.folder / name).read_text() for name in ("a.html", "b.html", "out/report.html")]
+        self.assertEqual(len(set(pages)), 1)
+        self.assert_refused(("evaluate", "finger.json", "--current-A", "1", "--report"),
+                            "evaluate: --report: 1 required FILE.html missing (see coilwright evaluate --help)")
+
     def test_the_numbers_of_a_page_are_those_of_its_files(self):
         self.size("--report")
         specs = self.specs("out/report.html")

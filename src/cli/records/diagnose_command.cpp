@@ -55,7 +55,7 @@ struct DiagnoseOptions {
   bool resume{false};
   bool quiet{false};
   bool json{false};
-  bool report{false};
+  std::optional<std::string> report{};
   PartOptions part{};
 };
 
@@ -71,12 +71,13 @@ void check_output(const DiagnoseOptions& options, const formats::DatasetFile& se
   keep_inputs(inputs, run_files_in(options.out));
   const bool goes_on = has_mark(std::filesystem::path(options.out) / "diagnosis.json", "\"diagnosis/1\"");
   // Whose an archive is, is told when it is opened; a page is in the way only where one is asked for.
+  const bool in_folder = options.report && options.report->empty();
   const auto own = [&](std::string_view name) {
-    return is_of_archive(name) || (goes_on && is_left_by("diagnose", name)) || (name == report_name && !options.report);
+    return is_of_archive(name) || (goes_on && is_left_by("diagnose", name)) || (name == report_name && !in_folder);
   };
   keep_other_run(options.out, own, options.force);
   const std::filesystem::path page = std::filesystem::path(options.out) / report_name;
-  if (options.report && !options.force && !goes_on && exists(symlink_status(page, none))) throw other_content(page);
+  if (in_folder && !options.force && !goes_on && exists(symlink_status(page, none))) throw other_content(page);
   // Known before the work, whether it can be written.
   const text::OutputFolder trial(options.out);
 }
@@ -270,8 +271,9 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
   add_report_option(*command, options->report);
   add_part_options(*command, options->part, "The data set is the K-th of N");
   command->callback([options] {
+    require_page(options->report, options->force);
     run_diagnose(*options);
-    if (options->report) write_report(options->out, options->force);
+    write_report(options->report, options->out, options->force);
   });
 }
 

@@ -2,7 +2,9 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -93,12 +95,13 @@ void add_pareto_command(CLI::App& app, Outcome& outcome) {
       "after a crash.\n\n"
       "Example:\n"
       "  coilwright pareto configs/studies/speed_against_grip.json --out results/speed_against_grip");
-  auto report = std::make_shared<bool>(false);
+  auto report = std::make_shared<std::optional<std::string>>();
   add_report_option(*command, *report);
   add_part_options(*command, *part, "Search by the K-th of N seeds, the first of which is --seed");
   command->callback([options, part, report, &outcome] {
+    require_page(*report, options->force);
     outcome.code = run_pareto(*options, *part);
-    if (*report) write_report(options->out, options->force);
+    write_report(*report, options->out, options->force);
   });
 }
 

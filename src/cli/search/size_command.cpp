@@ -153,12 +153,13 @@ void add_size_command(CLI::App& app, Outcome& outcome) {
       "Ctrl-C and after a crash.\n\n"
       "Example:\n"
       "  coilwright size configs/studies/fastest_finger.json --out results/fastest_finger");
-  auto report = std::make_shared<bool>(false);
+  auto report = std::make_shared<std::optional<std::string>>();
   add_report_option(*command, *report);
   add_part_options(*command, *part, "Search by the K-th of N seeds, the first of which is --seed");
   command->callback([options, part, report, &outcome] {
+    require_page(*report, options->force);
     outcome.code = run_size(*options, *part);
-    if (*report) write_report(options->out, options->force);
+    write_report(*report, options->out, options->force);
   });
 }
 

@@ -172,12 +172,13 @@ void add_sweep_command(CLI::App& app, Outcome& outcome) {
       "Example:\n"
       "  coilwright sweep configs/studies/configurations.json --out results/configurations\n"
       "  coilwright sweep configs/studies/fastest_finger.json --out results/sample --sample 1000");
-  auto report = std::make_shared<bool>(false);
+  auto report = std::make_shared<std::optional<std::string>>();
   add_report_option(*command, *report);
   add_part_options(*command, options->part, "Evaluate the K-th of N equal shares of the designs");
   command->callback([options, report, &outcome] {
+    require_page(*report, options->study.force);
     outcome.code = run_sweep(*options);
-    if (*report) write_report(options->study.out, options->study.force);
+    write_report(*report, options->study.out, options->study.force);
   });
 }
 

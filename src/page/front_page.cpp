@@ -31,7 +31,8 @@ std::string verdict_of(const Node& result, const FrontTable& front) {
   const Node counts = member_of(result, "evaluations");
   const std::string search = fmt::format("{} designs were evaluated, {} of them keep every limit",
                                          cell_of(counts, "total"), cell_of(counts, "ok"));
-  if (front.rows() == 0) return fmt::format("No design that was found keeps every limit ({}).", search);
+  if (front.rows() == 0)
+    return fmt::format("No design that was found keeps every limit ({}).{}", search, end_of_search(result, true));
   std::vector<std::string> ranges;
   for (const std::string& objective : front.objectives) {
     std::vector<double> values;
@@ -41,8 +42,8 @@ std::string verdict_of(const Node& result, const FrontTable& front) {
   }
   return fmt::format(
       "{} designs trade {} against each other: {}. None of them is beaten in every objective by another one that was "
-      "found; {}.",
-      front.rows(), names_text(front.objectives), fmt::join(ranges, ", "), search);
+      "found; {}.{}",
+      front.rows(), names_text(front.objectives), fmt::join(ranges, ", "), search, end_of_search(result, true));
 }
 
 constexpr std::size_t most_with_quantities = 5000;

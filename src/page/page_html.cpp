@@ -19,8 +19,9 @@ using text::escaped;
 std::string picture_html(const Figure& figure) {
   if (const auto* drawing = std::get_if<Drawing>(&figure.content)) return drawing->svg;
   if (const auto* image = std::get_if<Image>(&figure.content))
-    return fmt::format("<img class=\"paper\" src=\"data:image/svg+xml;base64,{}\" alt=\"{}\">\n", base64(image->svg),
-                       escaped(figure.description));
+    return fmt::format(
+        "<div class=\"wide\"><img class=\"paper\" src=\"data:image/svg+xml;base64,{}\" alt=\"{}\"></div>\n",
+        base64(image->svg), escaped(figure.description));
   return fmt::format("<div class=\"plot\" id=\"{}-plot\" role=\"img\" aria-label=\"{}\"></div>\n", figure.id,
                      escaped(figure.description));
 }

@@ -8,7 +8,9 @@
 #include <optional>
 
 #include "coilwright/page/chart.hpp"
+#include "coilwright/report/front_text.hpp"
 #include "coilwright/simulation/quantity.hpp"
+#include "coilwright/sizing/problem/options.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/document.hpp"
 
@@ -162,6 +164,26 @@ std::size_t evaluations_of(const Node& result) {
   std::size_t all = 0;
   for (const char* status : {"ok", "infeasible", "failed"}) all += member_of(counts, status).integer<std::uint32_t>();
   return all;
+}
+
+std::string end_of_search(const Node& result, bool of_front) {
+  using enum sizing::StopReason;
+  const auto gain = result.find("late_gain");
+  if (!gain) return {};
+  const Node counts = member_of(result, "evaluations");
+  const auto of_ends = counts.find("of_ends");
+  report::SearchEnd end{.feasible = member_of(counts, "ok").integer<std::uint32_t>(),
+                        .of_ends = of_ends ? of_ends->integer<std::uint32_t>() : 0,
+                        .late_gain = gain->is_null() ? std::nullopt : std::optional(gain->number()),
+                        .of_front = of_front};
+  const auto reason = result.find("search_stop_reason");
+  const std::string name = (reason ? *reason : member_of(result, "stop_reason")).text();
+  for (const sizing::StopReason each : {evaluation_limit, space_exhausted, converged, interrupted})
+    if (name == sizing::name_of(each)) {
+      end.reason = each;
+      return " " + report::to_text(end);
+    }
+  return {};
 }
 
 std::vector<std::string> input_lines(const std::filesystem::path& folder) {

@@ -88,6 +88,10 @@ void require_rows(const text::CsvTexts& table, std::size_t counted);
 /// Designs that the search of a result has evaluated.
 [[nodiscard]] std::size_t evaluations_of(const text::Node& result);
 
+/// " The search ended because .." as the terminal has it, of one objective or, `of_front`, of several; empty of results
+/// that do not say by how much the last designs bettered what was found.
+[[nodiscard]] std::string end_of_search(const text::Node& result, bool of_front);
+
 /// The files that the result was made of, as provenance.json names them, each with the first digits of its SHA-256.
 [[nodiscard]] std::vector<std::string> input_lines(const std::filesystem::path& folder);
 

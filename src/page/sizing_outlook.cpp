@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "coilwright/page/chart.hpp"
 #include "coilwright/report/yield_text.hpp"
+#include "coilwright/text/number.hpp"
 #include "page/result_words.hpp"
 
 namespace coilwright::page {
@@ -33,10 +36,44 @@ std::string why_left_out(const Node& result) {
 
 Section builds_section(const Node& result, const std::optional<sizing::Yield>& built) {
   Section section{.id = "builds", .title = "What other builds make of it"};
-  if (built)
-    section.blocks.emplace_back(Listing{report::built_text(*built)});
-  else
+  if (!built) {
     section.blocks.emplace_back(Paragraph{fmt::format("None were made: {}.", why_left_out(result))});
+    return section;
+  }
+  section.blocks.emplace_back(Listing{report::built_text(*built)});
+  BarChart chart{
+      .id = "built_margins",
+      .title = "Margins of the builds",
+      .description =
+          "How far each limit is from being reached, in per cent of the limit: of the design, of the middle "
+          "build, and at both ends of what nine builds in ten lie between. To the left of 0 a limit is broken.",
+      .value_title = "margin, %",
+      .label_title = "limit",
+      .symbols = true};
+  Table table{.header = {"quantity", "designed", "5 % of builds below", "half", "95 %", "limit", "kept by, % (95 %)"}};
+  for (const sizing::BuiltQuantity& each : built->quantities) {
+    const auto cell = [](const std::optional<double>& value) { return value ? short_number(*value) : "none"; };
+    const auto percent = [](double share) { return short_number(100.0 * share); };
+    table.rows.push_back({each.name, cell(each.nominal), cell(each.p05), cell(each.p50), cell(each.p95),
+                          each.limit.empty() ? "" : each.limit.substr(each.limit.find(' ') + 1),
+                          each.keeps ? fmt::format("{} ({} to {})", percent(each.keeps->value),
+                                                   percent(each.keeps->low), percent(each.keeps->high))
+                                     : ""});
+    const auto limit = text::number_in(each.limit.substr(each.limit.rfind(' ') + 1));
+    if (!limit || *limit == 0.0) continue;
+    const double sign = each.limit.find(">=") == std::string::npos ? 1.0 : -1.0;
+    for (const auto& [value, group] :
+         {std::pair(each.p05, "5 % of builds are below"), std::pair(each.p50, "middle build"),
+          std::pair(each.p95, "95 % of builds are below"), std::pair(each.nominal, "designed")})
+      if (value)
+        chart.bars.push_back(
+            {.label = each.limit, .value = 100.0 * sign * (*limit - *value) / std::abs(*limit), .group = group});
+  }
+  if (!chart.bars.empty()) section.blocks.emplace_back(figure_of(chart));
+  section.blocks.emplace_back(TableBlock{.caption = "What the builds are", .table = std::move(table)});
+  section.blocks.emplace_back(Paragraph{
+      "Which scatter decides: coilwright yield STUDY.json actuator.json --worth 500 says it of each quantity, and "
+      "what half of each scatter would bring."});
   return section;
 }
 

@@ -168,9 +168,8 @@ Section convergence_section(const std::filesystem::path& folder, const Node& res
   Chart chart{.id = "search",
               .title = "Every design of the search",
               .description = fmt::format(
-                  "The best {} so far, and the value of every design that was evaluated; {} ended "
-                  "the search after {} designs.",
-                  objective, search_stop_reason(result), cell_of(member_of(result, "evaluations"), "total")),
+                  "The best {} so far, and the value of every design that was evaluated, {} of them.{}", objective,
+                  cell_of(member_of(result, "evaluations"), "total"), end_of_search(result, false)),
               .x_title = "evaluation",
               .y_title = objective};
   for (const auto& [status, name] : {std::pair{"infeasible", "breaks a limit"}, std::pair{"ok", "keeps every limit"}}) {

@@ -74,7 +74,7 @@ std::string to_text(const Study& study, const ParetoResult& result, std::span<co
          fmt::format("\n{} designs on the front. The search ended because {}. It evaluated {} designs: {}.{}\n",
                      result.front.size(), meaning_of(result.stop_reason), result.evaluations,
                      to_text(formats::counts_of(result.archive)),
-                     late_gain_text(result.stop_reason, result.archive, result.evaluations)) +
+                     late_gain_text(end_of(result.stop_reason, result.archive, result.evaluations))) +
          absent_configurations(study, result) +
          warning_of_parts(study, broken, "designs of this front", result.front.size());
 }

@@ -24,29 +24,26 @@ std::string to_text(const formats::ArchiveCounts& counts) {
   return text;
 }
 
-std::string late_gain_text(sizing::StopReason reason, const sizing::Archive& archive, std::size_t evaluations) {
-  if (reason != sizing::StopReason::evaluation_limit) return {};
-  const std::optional<double> gain = sizing::late_gain(archive, evaluations);
-  if (!gain && formats::counts_of(archive).ok == 0)
+std::string late_gain_text(const SearchEnd& end) {
+  if (end.reason != sizing::StopReason::evaluation_limit) return {};
+  const std::optional<double> gain = end.late_gain;
+  if (!gain && end.feasible == 0)
     return " None keeps every limit: more evaluations (--max-evaluations) help only if some design does; look first at "
            "what the nearest one breaks.";
   if (!gain)
     return " None of the first four fifths of them keeps every limit: more evaluations (--max-evaluations) would find "
            "better.";
-  const bool of_front = archive.problem().objectives.size() > 1;
-  if (*gain == 0.0 && !of_front) return " The last fifth of them found nothing better.";
-  if (*gain == 0.0) {
-    const std::size_t of_ends = formats::counts_of(archive).of_ends;
-    if (of_ends == 0) return " The last fifth of them added nothing; the front is not known to be complete.";
+  if (*gain == 0.0 && !end.of_front) return " The last fifth of them found nothing better.";
+  if (*gain == 0.0 && end.of_ends == 0)
+    return " The last fifth of them added nothing; the front is not known to be complete.";
+  if (*gain == 0.0)
     return fmt::format(
         " {} of them searched for an end of the front alone, and the last fifth added nothing. What another --seed "
-        "would "
-        "find is not known.",
-        of_ends);
-  }
+        "would find is not known.",
+        end.of_ends);
   std::string text =
-      of_front ? fmt::format(" The last fifth of them added {} of what the front dominates", percent(*gain, 2))
-               : fmt::format(" The last fifth of them bettered the objective by {}", percent(*gain, 2));
+      end.of_front ? fmt::format(" The last fifth of them added {} of what the front dominates", percent(*gain, 2))
+                   : fmt::format(" The last fifth of them bettered the objective by {}", percent(*gain, 2));
   constexpr double worth_more = 0.01;
   return text + (*gain < worth_more ? "." : ": more evaluations (--max-evaluations) would find better.");
 }
@@ -63,6 +60,19 @@ std::string_view meaning_of(sizing::StopReason reason) {
       return "it was interrupted";
   }
   return "";
+}
+
+std::string to_text(const SearchEnd& end) {
+  return fmt::format("The search ended because {}.{}", meaning_of(end.reason), late_gain_text(end));
+}
+
+SearchEnd end_of(sizing::StopReason reason, const sizing::Archive& archive, std::size_t evaluations) {
+  const formats::ArchiveCounts counts = formats::counts_of(archive);
+  return {.reason = reason,
+          .feasible = counts.ok,
+          .of_ends = counts.of_ends,
+          .late_gain = sizing::late_gain(archive, evaluations),
+          .of_front = archive.problem().objectives.size() > 1};
 }
 
 }  // namespace coilwright::report

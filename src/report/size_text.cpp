@@ -236,8 +236,9 @@ std::string to_text(const formats::SizeReport& report) {
     text += fmt::format(", and {} more around the best one", result.sensitivity_evaluations);
   if (const std::size_t others = formats::evaluations_of_choices(report); others > 0)
     text += fmt::format(" ({} further ones under other modelling choices are not counted)", others);
-  return text + fmt::format(": {}.{}\n", to_text(formats::counts_of(result.archive)),
-                            late_gain_text(result.search_stop_reason, result.archive, result.search_evaluations));
+  return text +
+         fmt::format(": {}.{}\n", to_text(formats::counts_of(result.archive)),
+                     late_gain_text(end_of(result.search_stop_reason, result.archive, result.search_evaluations)));
 }
 
 }  // namespace coilwright::report

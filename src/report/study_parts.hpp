@@ -8,6 +8,7 @@
 
 #include "coilwright/formats/study/result_json.hpp"
 #include "coilwright/formats/study/size_json.hpp"
+#include "coilwright/report/front_text.hpp"
 #include "coilwright/sizing/study/broken_part_limits.hpp"
 #include "coilwright/sizing/study/design_problem.hpp"
 
@@ -40,11 +41,13 @@ namespace coilwright::report {
 /// "1200 keep every limit, 700 do not, and 100 could not be evaluated".
 [[nodiscard]] std::string to_text(const formats::ArchiveCounts& counts);
 
+/// How the search of an archive of so many evaluations ended.
+[[nodiscard]] SearchEnd end_of(sizing::StopReason reason, const sizing::Archive& archive, std::size_t evaluations);
+
 /// " The last fifth of them added 2.1 % of what the front dominates: .." where a search ended because of its limit of
-/// evaluations, with what to do where there is more to be had; "better the objective" of one objective. Empty
+/// evaluations, with what to do where there is more to be had; "bettered the objective" of one objective. Empty
 /// otherwise.
-[[nodiscard]] std::string late_gain_text(sizing::StopReason reason, const sizing::Archive& archive,
-                                         std::size_t evaluations);
+[[nodiscard]] std::string late_gain_text(const SearchEnd& end);
 
 /// "the limit of evaluations was reached" for StopReason::evaluation_limit.
 [[nodiscard]] std::string_view meaning_of(sizing::StopReason reason);

@@ -1,5 +1,6 @@
 """Pages of result folders: what is refused, and what is written."""
 
+import html
 import json
 import re
 import unittest
@@ -88,6 +89,11 @@ class Report(ProgramTest):
         write_study(self, objectives=FRONT, constraints=[{"quantity": "mass_g", "at_most": 62}])
         done = run("pareto", "study.json", "--out", "out", "--report", "--quiet", cwd=self.folder)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
+        # How the search ended is said as on the terminal.
+        page = (self.folder / "out/report.html").read_text()
+        (reason,) = re.findall(r"The search ended because [^.]+\.", done.stdout)
+        (rest,) = re.findall(r"(?:evaluated|limit)[^.]*\.( (?:The last fifth|None of the first|\d+ of them).*)", done.stdout)
+        self.assertIn(reason + rest, html.unescape(page))
         spec = self.specs("out/report.html")["front"]
         rows = [row for row in self.table("out/evaluations.csv") if row["status"] in ("ok", "infeasible")]
         names = ("peak_bending_speed_deg_s", "mass_g")

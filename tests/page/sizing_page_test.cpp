@@ -49,6 +49,21 @@ TEST(SizingPage, SaysOfBuildsWhatSizeSays) {
                                                    "99 % that the study asks for.")));
 }
 
+TEST(SizingPage, ShowsBuildsAgainstTheirLimits) {
+  const Page page = page_of_answer(builds);
+  const Section& section = builds_of(page);
+  const Figure& margins = std::get<Figure>(section.blocks.at(1));
+  // (0.8014 - 0.81) / 0.8014 is -1.073 %: 95 % of builds are below a current that breaks its limit.
+  EXPECT_THAT(margins.table.rows,
+              ::testing::Contains(ElementsAre("current_A <= 0.8014", "-1.07312", HasSubstr("95 %"))));
+  EXPECT_EQ(margins.table.rows.size(), 4U);  // an objective has no limit
+  const Table& table = std::get<TableBlock>(section.blocks.at(2)).table;
+  EXPECT_THAT(table.rows,
+              ElementsAre(ElementsAre("mass_g", "66", "65", "66", "67", "", ""),
+                          ElementsAre("current_A", "0.8", "0.79", "0.8", "0.81", "<= 0.8014", "93 (92 to 94)")));
+  EXPECT_THAT(std::get<Paragraph>(section.blocks.at(3)).text, HasSubstr("coilwright yield"));
+}
+
 TEST(SizingPage, SaysWhyThereAreNoBuilds) {
   const Page page = page_of_answer("null", "interrupted");
   EXPECT_EQ(std::get<Paragraph>(builds_of(page).blocks.at(0)).text, "None were made: the run was interrupted.");

@@ -61,8 +61,9 @@ Json least_infeasible_json(const Study& study, const ParetoResult& result) {
 }  // namespace
 
 Json to_json(const Study& study, const ParetoResult& result, std::span<const BrokenPartLimit> broken) {
-  Json evaluations = to_json(counts_of(result.archive));
-  evaluations.set("total", result.evaluations);
+  const ArchiveCounts counts = counts_of(result.archive);
+  Json evaluations = to_json(counts);
+  evaluations.set("of_ends", counts.of_ends).set("total", result.evaluations);
   Json out = result_head("pareto", study, result.stop_reason);
   out.set("evaluations", std::move(evaluations)).set("feasible", !result.front.empty());
   out.set("front_size", result.front.size()).set("hypervolume", hypervolume_json(result));

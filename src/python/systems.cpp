@@ -15,6 +15,7 @@
 #include "coilwright/formats/simulation/linear_model_json.hpp"
 #include "coilwright/formats/simulation/reach_json.hpp"
 #include "coilwright/formats/study/size_json.hpp"
+#include "coilwright/formats/study/study_of_one.hpp"
 #include "coilwright/formats/systems/crawl_json.hpp"
 #include "coilwright/formats/systems/drive_json.hpp"
 #include "coilwright/formats/systems/grip_json.hpp"
@@ -230,26 +231,12 @@ sizing::Study study_of_one(const Study& study, const Actuator& actuator, const s
                               .rule =
                                   "must not vary: no actuator says what it is; Study.load(.., set=..) of a study in "
                                   "which it is a number of its block"});
-  if (!out.spread)
-    throw text::InputError({.file = study.origin,
-                            .rule = "needs the block \"spread\" ({\"parts\": \"usual\"}): without one every build is "
-                                    "the design"});
-  if (!std::holds_alternative<sizing::VariedCurrent>(out.current)) {
-    if (current)
-      throw text::InputError({.file = "current", .rule = "must be None: the study itself says which current flows"});
-    return out;
-  }
-  const auto& point = actuator.content.operating_point;
-  if (!current && !point)
-    throw text::InputError({.file = actuator.origin,
-                            .place = "/operating_point",
-                            .rule = "must be there, or current: the study varies the current, and does not say with "
-                                    "which one"});
-  std::erase_if(out.variables, [](const sizing::StudyVariable& variable) {
-    return std::holds_alternative<sizing::CurrentVariable>(variable);
-  });
-  out.current = sizing::FixedCurrent{current ? *current : point->current};
-  return out;
+  return formats::study_of_one(std::move(out), study.origin,
+                               {.option = "current",
+                                .set = "Study.load(.., set=..) with ",
+                                .given = current,
+                                .actuator = actuator.origin,
+                                .of_file = actuator.content.operating_point});
 }
 
 py::tuple yield_of(const Study& study, const Actuator& actuator, const std::optional<double>& current,

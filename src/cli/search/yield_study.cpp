@@ -10,7 +10,7 @@
 #include "coilwright/formats/actuator/actuator_argument.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/study/study_file.hpp"
-#include "coilwright/text/argument.hpp"
+#include "coilwright/formats/study/study_of_one.hpp"
 #include "coilwright/text/input_error.hpp"
 
 namespace coilwright::cli {
@@ -35,14 +35,6 @@ void require_settings(const sizing::Study& study, const YieldQuestion& question)
   }
 }
 
-// Of a study that says itself which current flows.
-std::string way_to_another_current(const sizing::Study& study) {
-  if (std::holds_alternative<sizing::DrivenCurrent>(study.current))
-    return "another cell drives another one: --set crawler_cell_voltage_V=VALUE";
-  const bool is_share = std::holds_alternative<sizing::ShareOfLimit>(study.current);
-  return fmt::format("--set /operating_point/{}=VALUE changes it", is_share ? "share_of_current_limit" : "current_A");
-}
-
 }  // namespace
 
 sizing::Study study_of_one(const YieldQuestion& question) {
@@ -61,27 +53,12 @@ sizing::Study study_of_one(const YieldQuestion& question) {
       {.changes = of_study, .actuator = &actuator, .posterior = question.posterior ? &*question.posterior : nullptr});
   require_settings(study, question);
   for (const std::string& change : of_actuator) study.base = formats::with_assignment(std::move(study.base), change);
-  if (!study.spread)
-    throw text::InputError({.file = file.file,
-                            .rule = "needs the block \"spread\" ({\"parts\": \"usual\"}): without one every build is "
-                                    "the design"});
-  if (!std::holds_alternative<sizing::VariedCurrent>(study.current)) {
-    if (question.current)
-      throw text::argument_error("--current-A", "must not be given: the study itself says which current flows; " +
-                                                    way_to_another_current(study));
-    return study;
-  }
-  const formats::ActuatorFile given = formats::parse_actuator(actuator.text, actuator.file);
-  if (!question.current && !given.operating_point)
-    throw text::InputError({.file = actuator.file,
-                            .place = "/operating_point",
-                            .rule = "must be there, or --current-A: the study varies the current, and does not say "
-                                    "with which one"});
-  std::erase_if(study.variables, [](const sizing::StudyVariable& variable) {
-    return std::holds_alternative<sizing::CurrentVariable>(variable);
-  });
-  study.current = sizing::FixedCurrent{question.current ? *question.current : given.operating_point->current};
-  return study;
+  return formats::study_of_one(std::move(study), file.file,
+                               {.option = "--current-A",
+                                .set = "--set ",
+                                .given = question.current,
+                                .actuator = actuator.file,
+                                .of_file = formats::parse_actuator(actuator.text, actuator.file).operating_point});
 }
 
 }  // namespace coilwright::cli

@@ -13,6 +13,7 @@
 #include "coilwright/simulation/shut_joints.hpp"
 #include "coilwright/simulation/supply.hpp"
 #include "coilwright/units/angle.hpp"
+#include "simulation/shut_pose.hpp"
 
 namespace coilwright::simulation {
 
@@ -60,34 +61,21 @@ std::optional<PartLimit> limit_in_other_pose(const DesignView& design) {
                    .conditional = true};
 }
 
-// The joint of those whose faces are pressed that lies furthest beyond them; `angles` in rad.
-PartLimit limit_of_joints(const DesignView& design, std::string_view quantity, const std::vector<int>& pressed,
-                          const mechanics::JointVector& angles, std::string consequence) {
-  const auto& hinges = design.assembly.model.hinges();
-  const auto opening = [&](int joint) { return angles[joint] - hinges[joint].contact.closing_angle; };
-  const int joint = *std::ranges::min_element(pressed, {}, opening);
-  return {.quantity = quantity,
-          .value = angles[joint] * units::degrees_per_radian,
-          .limit = hinges[joint].contact.closing_angle * units::degrees_per_radian,
-          .at_most = false,
-          .consequence = std::move(consequence),
-          .conditional = true};
-}
-
-// Nothing where every joint is open; under current where joints are pressed there, else at rest.
+// Nothing where every joint is open; of the pressed joints the one that lies furthest beyond its faces.
 std::optional<PartLimit> limit_of_joints(const DesignView& design) {
-  const Performance& performance = design.performance;
-  if (!performance.free.motion) return std::nullopt;
-  const actuator::Model& model = design.assembly.model;
-  const mechanics::JointVector& rest = performance.cold.rest_angles;
-  const mechanics::JointVector& steady = performance.free.motion->steady_angles;
-  const std::vector<int> at_rest = pressed_joints(model, rest);
-  const std::vector<int> under_current = pressed_joints(model, steady);
-  std::string text = pressed_joints_text(at_rest, under_current);
-  if (text.empty()) return std::nullopt;
+  const auto pose = shut_pose(design);
+  if (!pose) return std::nullopt;
+  const auto& hinges = design.assembly.model.hinges();
+  const auto opening = [&](int joint) { return pose->angles[joint] - hinges[joint].contact.closing_angle; };
+  const int joint = *std::ranges::min_element(pose->joints(), {}, opening);
+  std::string text = pressed_joints_text(pose->at_rest, pose->under_current);
   if (const std::string cause = what_shuts_joints(design); !cause.empty()) text += "; " + cause;
-  return under_current.empty() ? limit_of_joints(design, smallest_rest_joint, at_rest, rest, std::move(text))
-                               : limit_of_joints(design, smallest_joint, under_current, steady, std::move(text));
+  return PartLimit{.quantity = pose->under_current.empty() ? smallest_rest_joint : smallest_joint,
+                   .value = pose->angles[joint] * units::degrees_per_radian,
+                   .limit = hinges[joint].contact.closing_angle * units::degrees_per_radian,
+                   .at_most = false,
+                   .consequence = std::move(text),
+                   .conditional = true};
 }
 
 }  // namespace

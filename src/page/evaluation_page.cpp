@@ -122,7 +122,7 @@ Section quantities_section(const DesignView& design) {
 Page evaluation_page(const EvaluatedDesign& evaluated, std::span<const ChoiceEffect> effects, std::string_view name,
                      std::string_view made_by) {
   const DesignView design = evaluated.view();
-  const std::vector<PartLimit> limits = simulation::part_limits(design);
+  const std::vector<PartLimit> limits = told(simulation::part_limits(design), design);
   Page page{.title = fmt::format("{} at {} A", name, short_number(design.point.current)),
             .verdict = verdict_of(design, limits),
             .cautions = cautions_of(limits),

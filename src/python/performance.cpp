@@ -60,7 +60,8 @@ text::Json json_of(const Performance& performance) {
   if (const auto* lumped = performance.lumped()) return formats::to_json(lumped->motion, lumped->current);
   text::Json out = formats::to_json(performance.evaluated()->view());
   out.set("operating_point", formats::to_json(performance.evaluated()->point));
-  return out.set("part_limits", formats::to_json(simulation::part_limits(performance.evaluated()->view())));
+  const simulation::DesignView design = performance.evaluated()->view();
+  return out.set("part_limits", formats::to_json(simulation::told(simulation::part_limits(design), design)));
 }
 
 std::vector<simulation::CorrectionReach> reach_of(const simulation::EvaluatedDesign& design) {
@@ -70,8 +71,9 @@ std::vector<simulation::CorrectionReach> reach_of(const simulation::EvaluatedDes
 std::string text_of(const Performance& performance) {
   if (const auto* lumped = performance.lumped()) return report::to_text(lumped->motion, lumped->current);
   const simulation::EvaluatedDesign& design = *performance.evaluated();
-  return report::to_text(simulation::part_limits(design.view())) + report::opening_text(design.view()) +
-         report::doubts_text(design.design) + '\n' + report::to_text(design.view()) + report::to_text(reach_of(design));
+  return report::to_text(simulation::told(simulation::part_limits(design.view()), design.view())) +
+         report::opening_text(design.view()) + report::doubts_text(design.design) + '\n' +
+         report::to_text(design.view()) + report::to_text(reach_of(design));
 }
 
 // What the program says of it beside its numbers. Of a limit that is broken without the numbers, so that a loop over

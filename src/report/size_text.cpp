@@ -128,7 +128,7 @@ std::string objective_lines(const formats::SizeReport& report) {
 std::string parts_text(const formats::SizeReport& report) {
   const auto* evaluated = report.best ? std::get_if<EvaluatedDesign>(report.best) : nullptr;
   if (evaluated == nullptr) return {};
-  std::vector<simulation::PartLimit> broken = broken_limits(report.study, *evaluated);
+  std::vector<simulation::PartLimit> broken = told(broken_limits(report.study, *evaluated), evaluated->view());
   std::erase_if(broken, [&](const simulation::PartLimit& each) {
     return !report.result.feasible && std::ranges::any_of(report.study.limits, [&](const Limit& limit) {
       return of_one_build(limit).name == each.quantity;

@@ -68,13 +68,11 @@ std::optional<PartLimit> limit_of_joints(const DesignView& design) {
   const auto& hinges = design.assembly.model.hinges();
   const auto opening = [&](int joint) { return pose->angles[joint] - hinges[joint].contact.closing_angle; };
   const int joint = *std::ranges::min_element(pose->joints(), {}, opening);
-  std::string text = pressed_joints_text(pose->at_rest, pose->under_current);
-  if (const std::string cause = what_shuts_joints(design); !cause.empty()) text += "; " + cause;
   return PartLimit{.quantity = pose->under_current.empty() ? smallest_rest_joint : smallest_joint,
                    .value = pose->angles[joint] * units::degrees_per_radian,
                    .limit = hinges[joint].contact.closing_angle * units::degrees_per_radian,
                    .at_most = false,
-                   .consequence = std::move(text),
+                   .consequence = pressed_joints_text(pose->at_rest, pose->under_current),
                    .conditional = true};
 }
 
@@ -119,6 +117,13 @@ std::vector<PartLimit> part_limits(const DesignView& design) {
                       .conditional = true});
   if (auto joints = limit_of_joints(design)) limits.push_back(std::move(*joints));
   if (auto other = limit_in_other_pose(design)) limits.push_back(std::move(*other));
+  return limits;
+}
+
+std::vector<PartLimit> told(std::vector<PartLimit> limits, const DesignView& design) {
+  for (PartLimit& limit : limits)
+    if (limit.quantity == smallest_joint || limit.quantity == smallest_rest_joint)
+      if (const std::string cause = what_shuts_joints(design); !cause.empty()) limit.consequence += "; " + cause;
   return limits;
 }
 

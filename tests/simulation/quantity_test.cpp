@@ -75,7 +75,7 @@ TEST(Quantities, HaveTheAngleOfEachJointAndTheSmallest) {
 
 std::vector<PartLimit> limits_of_joints(const actuator::Design& design, double current) {
   const EvaluatedDesign evaluated = evaluate(design, {.current = current});
-  std::vector<PartLimit> out = broken_part_limits(evaluated.view());
+  std::vector<PartLimit> out = told(broken_part_limits(evaluated.view()), evaluated.view());
   std::erase_if(out, [](const PartLimit& limit) { return !limit.quantity.ends_with("joint_angle_deg"); });
   return out;
 }

@@ -77,9 +77,13 @@ TEST(ShutJoints, AreHeldByTheForceOfTheMagnetsOnTheirSides) {
                                     std::abs(taken.performance.axial_force), each.current)),
               std::string::npos)
         << text;
-    for (const PartLimit& limit : part_limits(taken.view())) {
+    const std::vector<PartLimit> limits = part_limits(taken.view());
+    for (const PartLimit& limit : told(limits, taken.view())) {
       if (limit.quantity == "smallest_joint_angle_deg") {
         EXPECT_TRUE(limit.consequence.ends_with("; " + text));
+        // What no text needs is not worked out: the torques of every pair of bodies.
+        EXPECT_EQ(std::ranges::find(limits, limit.quantity, &PartLimit::quantity)->consequence + "; " + text,
+                  limit.consequence);
       }
     }
   }

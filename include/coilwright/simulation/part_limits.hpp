@@ -33,6 +33,10 @@ struct PartLimit {
 /// quantity does not exist for another reason than a runaway (a magnet without a grade has no coercivity).
 [[nodiscard]] std::vector<PartLimit> part_limits(const DesignView& design);
 
+/// `limits` of `design` for a text: the meaning of a limit of shut joints also says what shuts them, which is computed
+/// from the torques of every pair of bodies.
+[[nodiscard]] std::vector<PartLimit> told(std::vector<PartLimit> limits, const DesignView& design);
+
 /// The limits that the design breaks. Conditional ones are included only if no other one of the same kind, heat or
 /// field, is broken.
 [[nodiscard]] std::vector<PartLimit> broken_part_limits(const DesignView& design);

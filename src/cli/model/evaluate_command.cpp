@@ -67,7 +67,7 @@ void evaluate(const actuator::Design& design, const formats::ActuatorFile& file,
     throw no_performance(options.actuator.file, *why);
   const simulation::DesignView view{
       .design = design, .assembly = assembly, .point = point, .performance = std::get<simulation::Performance>(result)};
-  const std::vector<simulation::PartLimit> limits = simulation::part_limits(view);
+  const std::vector<simulation::PartLimit> limits = told(simulation::part_limits(view), view);
   const std::vector<simulation::ChoiceEffect> effects = simulation::choice_effects(view);
   const std::vector<simulation::CorrectionReach> reach =
       simulation::correction_reach(assembly.model, view.performance.cold, point.current);

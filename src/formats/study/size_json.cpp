@@ -237,10 +237,12 @@ Json to_json(const SizeReport& report) {
   out.set("measure_first", measure_first(report));
   if (report.study.spread) out.set("as_built", report.built ? to_json(*report.built) : Json(nullptr));
   out.set("operating_point", evaluated ? to_json(evaluated->point) : Json(nullptr));
-  auto limits = evaluated ? simulation::part_limits(evaluated->view()) : std::vector<simulation::PartLimit>();
-  if (evaluated)
+  std::vector<simulation::PartLimit> limits;
+  if (evaluated) {
+    limits = simulation::told(simulation::part_limits(evaluated->view()), evaluated->view());
     for (simulation::PartLimit& pulses : limits_of_pulses(report.study, *evaluated))
       limits.push_back(std::move(pulses));
+  }
   out.set("part_limits", to_json(limits));
   out.set("performance", evaluated ? to_json(evaluated->view(), report.study.quantities) : Json(nullptr));
   return out;

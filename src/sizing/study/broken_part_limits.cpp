@@ -35,11 +35,11 @@ std::vector<BrokenPartLimit> broken_part_limits(const Study& study, std::span<co
   for (const DesignResult& result : designs) {
     const auto* evaluated = std::get_if<EvaluatedDesign>(&result);
     if (evaluated == nullptr) continue;
-    for (simulation::PartLimit& limit : broken_limits(study, *evaluated)) {
+    for (const simulation::PartLimit& limit : broken_limits(study, *evaluated)) {
       auto known = std::ranges::find(out, limit.quantity, &BrokenPartLimit::quantity);
       if (known == out.end())
         known = out.insert(out.end(), {.quantity = limit.quantity,
-                                       .consequence = std::move(limit.consequence),
+                                       .consequence = told({limit}, evaluated->view()).front().consequence,
                                        .conditional = limit.conditional});
       ++known->designs;
     }

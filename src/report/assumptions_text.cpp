@@ -87,15 +87,9 @@ std::string assumptions_text(const formats::SizeReport& report) {
       "first\n";
   std::vector<std::string_view> small;
   std::vector<std::string> slight;
-  std::span<const AssumptionEffect> effects = report.assumptions;
-  while (!effects.empty()) {
-    const std::string_view subject = effects.front().choice.subject;
-    const auto end =
-        std::ranges::find_if(effects, [&](const AssumptionEffect& each) { return each.choice.subject != subject; });
-    const std::span<const AssumptionEffect> of_subject(effects.begin(), end);
-    effects = std::span(end, effects.end());
+  for (const std::span<const AssumptionEffect> of_subject : by_subject(std::span(report.assumptions))) {
     if (std::ranges::none_of(of_subject, &AssumptionEffect::matters)) {
-      small.push_back(subject);
+      small.push_back(of_subject.front().choice.subject);
       continue;
     }
     if (std::ranges::all_of(of_subject, [&](const AssumptionEffect& each) {

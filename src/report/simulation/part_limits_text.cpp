@@ -197,14 +197,9 @@ std::string to_text(const DesignView& taken, std::span<const ChoiceEffect> effec
       "first\n";
   if (!effects.empty()) text += unchanged_text(taken);
   std::vector<std::string_view> small;
-  while (!effects.empty()) {
-    const std::string_view subject = effects.front().choice.subject;
-    const auto end =
-        std::ranges::find_if(effects, [&](const ChoiceEffect& each) { return each.choice.subject != subject; });
-    const std::span<const ChoiceEffect> of_subject(effects.begin(), end);
-    effects = std::span(end, effects.end());
+  for (const std::span<const ChoiceEffect> of_subject : by_subject(effects)) {
     if (std::ranges::none_of(of_subject, &ChoiceEffect::matters)) {
-      small.push_back(subject);
+      small.push_back(of_subject.front().choice.subject);
       continue;
     }
     text += subject_text(of_subject.front().choice);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "coilwright/actuator/calibration_doubts.hpp"
 #include "coilwright/simulation/choice_effects.hpp"
@@ -29,6 +31,19 @@ using LimitInStudy = std::function<std::optional<double>(std::string_view quanti
 
 /// The description of a subject of such a list: how it is taken, how well it is known and what settles it.
 [[nodiscard]] std::string subject_text(const actuator::OtherChoice& choice);
+
+/// The runs of entries of `effects` that have one subject; entries of a subject must follow each other.
+template <class Effect>
+[[nodiscard]] std::vector<std::span<const Effect>> by_subject(std::span<const Effect> effects) {
+  std::vector<std::span<const Effect>> out;
+  while (!effects.empty()) {
+    const auto end = std::ranges::find_if(
+        effects, [&](const Effect& each) { return each.choice.subject != effects.front().choice.subject; });
+    out.emplace_back(effects.begin(), end);
+    effects = std::span(end, effects.end());
+  }
+  return out;
+}
 
 /// The assumptions behind the figures of `taken`, in the order of simulation::choice_effects(): for each other choice
 /// and number of a subject that matters the main figures that it changes, the limit of the parts with the least margin

@@ -1,5 +1,6 @@
 """`--start DIR` of size and pareto: a search that begins with what the archives of other runs answer."""
 
+import itertools
 import json
 import unittest
 
@@ -131,11 +132,16 @@ class Start(ProgramTest):
                             "--options: must not have --start, which distribute sets or parts cannot have")
         (self.folder / "text").mkdir()
         self.write("text/archive.sqlite", "no archive")
-        for folder in ("nowhere", "text", "study.json"):
-            with self.subTest(folder):
-                refused = run("pareto", "study.json", "--out", "out", "--start", folder, cwd=self.folder)
+        for option, folder in itertools.product(("--start", "--reuse"), ("nowhere", "text", "study.json")):
+            with self.subTest(option=option, folder=folder):
+                refused = run("pareto", "study.json", "--out", "out", option, folder, cwd=self.folder)
                 self.assertEqual((refused.returncode, refused.stdout), (2, ""))
-                self.assertRegex(refused.stderr, rf"\Acoilwright: {folder}/archive\.sqlite: [^\n]+\n\Z")
+                self.assertRegex(refused.stderr, rf"\Acoilwright: {option}: must name the folder of a run of size, pareto or "
+                                                 rf"sweep: {folder}/archive\.sqlite: [^\n]+\n\Z")
+        for option in ("--start", "--reuse"):
+            self.assert_refused(("pareto", "study.json", "--out", "out", option, "nowhere"),
+                                f"{option}: must name the folder of a run of size, pareto or sweep: "
+                                "nowhere/archive.sqlite: cannot be read: there is no such file")
         self.assert_refused(("pareto", "study.json", "--out", "front", "--start", "front", "--force"),
                             "front/archive.sqlite: cannot be written: it is an input of this command")
         self.assertFalse((self.folder / "out/result.json").exists())

@@ -542,6 +542,7 @@ class Reuse(ArchivedStudy):
                 self.assert_refused(["sweep", "study.json", "--out", "out", "--reuse", "sweep", *arguments],
                                     f"sweep: cannot answer designs of this study ({reason})")
         self.assert_refused(["sweep", "study.json", "--out", "out", "--reuse", "none"],
+                            "--reuse: must name the folder of a run of size, pareto or sweep: "
                             "none/archive.sqlite: cannot be read: there is no such file")
 
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
@@ -10,6 +11,7 @@
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/results/build_info.hpp"
 #include "coilwright/results/sha256.hpp"
+#include "coilwright/text/argument.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -28,6 +30,15 @@ std::string operation_text(const sizing::Study& study) {
 }
 
 }  // namespace
+
+archive::Reader archive_of(const char* option, const std::string& folder) {
+  try {
+    return archive::Reader(std::filesystem::path(folder) / archive_name);
+  } catch (const text::InputError& fault) {
+    throw text::argument_error(option,
+                               fmt::format("must name the folder of a run of size, pareto or sweep: {}", fault.what()));
+  }
+}
 
 archive::Program this_program() {
   const results::Commit built = results::commit();

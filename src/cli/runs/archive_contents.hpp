@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "coilwright/archive/contents.hpp"
+#include "coilwright/archive/reader.hpp"
 #include "coilwright/results/provenance.hpp"
 #include "coilwright/sizing/study/study.hpp"
 
@@ -11,6 +12,9 @@ namespace coilwright::cli {
 
 /// The name of the archive in a folder of results.
 inline constexpr const char* archive_name = "archive.sqlite";
+
+/// The archive in a folder that `option` names. Throws text::InputError naming the option where it cannot be read.
+[[nodiscard]] archive::Reader archive_of(const char* option, const std::string& folder);
 
 /// This program, as archives name it.
 [[nodiscard]] archive::Program this_program();

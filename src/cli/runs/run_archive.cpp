@@ -204,7 +204,7 @@ void RunArchive::take_others(const StudyOptions& options, const archive::Content
     std::error_code error;
     if (fs::equivalent(folder, folder_.path(), error))
       throw refusal(folder, "is the folder of this run, which --resume goes on with");
-    auto other = std::make_shared<const archive::Reader>(fs::path(folder) / archive_name);
+    auto other = std::make_shared<const archive::Reader>(archive_of("--reuse", folder));
     const std::vector<std::string> differing = archive::differences_for_reuse(other->contents(), asked);
     if (!differing.empty())
       throw refusal(folder, fmt::format("cannot answer designs of this study ({})", fmt::join(differing, "; ")));

@@ -176,7 +176,7 @@ results::InputRecord record_of(const archive::Reader& found, const sizing::Study
 void add_starts(std::span<const std::string> folders, StudyInput& input) {
   std::vector<std::vector<double>>& starts = input.study.starts;
   for (const std::string& folder : folders) {
-    const archive::Reader found(std::filesystem::path(folder) / archive_name);
+    const archive::Reader found = archive_of("--start", folder);
     const std::vector<std::vector<double>> points = points_in(found, input.study);
     input.provenance.starts.push_back(record_of(found, input.study, points));
     for (const std::vector<double>& point : points)

@@ -167,8 +167,11 @@ class Reach(ProgramTest):
         outputs = (("--out", "a.csv"), ("--c-header", "a.h"))
         for option, name in outputs:
             self.write(name, "my notes\n")
-            self.assert_refused(("reach", PAPER_FINGER, "--angle-deg", "40", *ANY, option, name),
-                                f"{name}: cannot be written: it holds something else; --force replaces it, another --out keeps it")
+            # The second angle is one that the search would refuse: it is told before.
+            for angle in ("40", "100"):
+                self.assert_refused(("reach", PAPER_FINGER, "--angle-deg", angle, *ANY, option, name),
+                                    f"{name}: cannot be written: it holds something else; --force replaces it, "
+                                    "another --out keeps it")
         both = [word for output in outputs for word in output]
         self.assertEqual(run("reach", PAPER_FINGER, "--angle-deg", "40", *both, *ANY, "--force", cwd=self.folder).returncode, 0)
         first = self.files()

@@ -99,17 +99,6 @@ control::ReachTask task_of(const ReachOptions& options, const Asked& asked) {
           .pieces = options.pieces};
 }
 
-control::Reach answer(const ReachOptions& options, const Asked& asked, const control::ReachTask& task) {
-  try {
-    if (!options.header.empty()) exports::require_header_can_say(asked.model);
-    return control::reach(asked.model, task);
-  } catch (const std::invalid_argument& rule) {
-    throw InputError({.file = options.actuator.file, .rule = rule.what()});
-  } catch (const std::runtime_error& reason) {
-    throw InputError({.file = options.actuator.file, .rule = reason.what()});
-  }
-}
-
 // As simulate --input takes it: at rest under the current before, which the first row has.
 void write_profile(std::ostream& stream, const control::CurrentProfile& profile, double end) {
   constexpr double before = -0.01;  // s
@@ -119,19 +108,36 @@ void write_profile(std::ostream& stream, const control::CurrentProfile& profile,
   csv.row(std::array{end, profile.last()});
 }
 
-// Both files, or none.
-void write(const ReachOptions& options, const Asked& asked, const control::Reach& reach,
-           const control::ProfileQuality& best) {
-  std::optional<text::OutputFile> header;
+// Both files, or none; without `commits` none, and what is in their places is refused as with it.
+void write(const ReachOptions& options, const Asked& asked, const control::ProfileQuality& best, double end,
+           bool commits) {
   std::optional<text::OutputFile> profile;
+  std::optional<text::OutputFile> header;
+  if (!options.out.empty()) write_profile(profile.emplace(options.out).stream(), best.profile, end);
   if (!options.header.empty()) header.emplace(options.header).stream() << exports::controller_header(asked.model, best);
-  if (!options.out.empty()) write_profile(profile.emplace(options.out).stream(), best.profile, reach.duration);
   // How each of them begins; the rest of a first line names the profile.
   if (header) keep_other_kind(*header, "coilwright", options.force);
   if (profile) keep_other_kind(*profile, table_mark, options.force);
+  if (!commits) return;
   if (profile) profile->withdraw();
   if (header) header->commit();
   if (profile) profile->commit();
+}
+
+control::Reach answer(const ReachOptions& options, const Asked& asked, const control::ReachTask& task) {
+  try {
+    // What is in the places of the files is refused before the search.
+    control::ProfileQuality none;
+    none.profile = {.times = {0.0}, .levels = {0.0}};
+    write(options, asked, none, 0.0, false);
+    return control::reach(asked.model, task);
+  } catch (const text::OutputError&) {
+    throw;
+  } catch (const std::invalid_argument& rule) {
+    throw InputError({.file = options.actuator.file, .rule = rule.what()});
+  } catch (const std::runtime_error& reason) {
+    throw InputError({.file = options.actuator.file, .rule = reason.what()});
+  }
 }
 
 std::string remarks(const control::Reach& reach, const control::ReachTask& task, const Asked& asked) {
@@ -160,10 +166,9 @@ void run_reach(const ReachOptions& options) {
     throw InputError({.file = "--c-header", .rule = "must be another file than that of --out"});
   const Asked asked = read(options);
   const control::ReachTask task = task_of(options, asked);
-  require_writable({options.out, options.header});
   const control::Reach reach = answer(options, asked, task);
   const control::ProfileQuality& best = control::best_profile(reach);
-  write(options, asked, reach, best);
+  write(options, asked, best, reach.duration, true);
   report_stream(options.out, options.header)
       << (options.json ? formats::to_json(reach).text() : report::to_text(reach, task) + std::string(cold_note));
   std::cerr << remarks(reach, task, asked);

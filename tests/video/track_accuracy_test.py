@@ -68,7 +68,7 @@ class Accuracy(FilmTest):
                       f"{answer['readout_s'] * 1e3:5.2f} ms {rate:6.1f} frames/s", flush=True)
                 self.assertLess(abs(bias), most_bias)
                 self.assertLess(noise, most_noise)
-                self.assertGreater(stated / noise, 0.85)  # of one film: of 60 of all kinds it is 0.76 to 1.28, but for one
+                self.assertGreater(stated / noise, 0.85)  # of one film: its error is known to a tenth
                 self.assertLess(stated / noise, 1.3)
                 self.assertLess(abs(answer["readout_s"] - changes.get("readout", 0.0)), 0.3e-3)
 

@@ -32,7 +32,7 @@ ROOMS = {
     "formats/systems": "text systems",
     "formats/data": "formats/actuator formats/simulation measurement systems",
     "formats/film": "text video",
-    "formats/study": "formats/actuator formats/simulation archive systems",
+    "formats/study": "formats/actuator formats/simulation archive formats/systems",
     "exports": "formats/actuator control",
     "report/simulation": "text control",
     "report/systems": "report/simulation formats/actuator systems",

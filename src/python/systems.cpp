@@ -19,6 +19,7 @@
 #include "coilwright/formats/systems/crawl_json.hpp"
 #include "coilwright/formats/systems/drive_json.hpp"
 #include "coilwright/formats/systems/grip_json.hpp"
+#include "coilwright/formats/systems/task_numbers.hpp"
 #include "coilwright/report/yield_text.hpp"
 #include "coilwright/simulation/linear_model.hpp"
 #include "coilwright/sizing/study/design_problem.hpp"
@@ -26,7 +27,9 @@
 #include "coilwright/systems/crawl.hpp"
 #include "coilwright/systems/crawl_heat.hpp"
 #include "coilwright/systems/driven_actuator.hpp"
+#include "coilwright/systems/gripper/grip_task.hpp"
 #include "coilwright/text/input_error.hpp"
+#include "coilwright/units/unit.hpp"
 #include "python/actuator.hpp"
 #include "python/bindings.hpp"
 #include "python/interruptible.hpp"
@@ -50,6 +53,15 @@ class Words {
     return said_[name].cast<std::optional<double>>();
   }
   [[nodiscard]] std::string word(const char* name) const { return said_[name].cast<std::string>(); }
+
+  // Those of a task. A name has the unit of its key where that is no SI unit.
+  template <class Task>
+  void set_numbers(const std::vector<formats::BlockNumber<Task>>& numbers, Task& task) const {
+    for (const auto& [key, rule, get, set, kind] : numbers) {
+      const std::string name(said_.contains(std::string(key)) ? key : units::quantity_of(key));
+      set(task, number(name.c_str()) * units::to_memory(1.0, key));
+    }
+  }
 
  private:
   const py::dict& said_;
@@ -158,64 +170,29 @@ py::object drive(const Actuator& actuator, const py::dict& said) {
   return answer(actuator, [&] { return formats::to_json(systems::drive_actuator(it.design, it.assembly, question)); });
 }
 
-systems::gripper::ObjectShape shape_of(const std::string& word) {
-  using enum systems::gripper::ObjectShape;
-  if (word == "box") return box;
-  if (word == "upright_cylinder") return upright_cylinder;
-  return word == "cylinder" ? cylinder : sphere;
-}
-
 py::object grip(const Actuator& actuator, const py::dict& said) {
-  using systems::gripper::Polarity;
   const Words words(said);
   const Built it = built(actuator, "a gripper needs a design (actuator/1)");
-  const std::optional<actuator::OperatingPoint>& point = actuator.content.operating_point;
-  constexpr double paper_current = 1.4;  // A
+  systems::gripper::GripperTask task;
+  task.mounting.fingers = words.whole("fingers");
+  if (words.word("polarity") == "opposite") task.mounting.polarity = systems::gripper::Polarity::opposite;
+  task.object.shape = formats::shape_named(words.word("shape"));
+  words.set_numbers(formats::grip_numbers(task), task);
   const std::optional<double> current = words.optional("current");
-  const bool is_of_file = !current && point;
-  const systems::gripper::Mounting mounting{
-      .angle = words.number("mounting_angle_deg") * degree,
-      .spacing = words.number("spacing_mm") * 1e-3,
-      .polarity = words.word("polarity") == "same" ? Polarity::same : Polarity::opposite,
-      .fingers = words.whole("fingers")};
-  const systems::gripper::Object object{
-      .shape = shape_of(words.word("shape")),
-      .width = words.number("width_mm") * 1e-3,
-      .height = words.number("height_mm") * 1e-3,
-      .mass = words.number("mass_g") * 1e-3,
-      .friction = words.number("friction"),
-      .centre = {words.number("centre_x_mm") * 1e-3, -words.number("centre_below_palm_mm") * 1e-3}};
-  const systems::gripper::GraspTask task{.current = is_of_file ? point->current : current.value_or(paper_current),
-                                         .open_current = words.number("open_current"),
-                                         .acceleration = words.number("acceleration_m_s2")};
-  const systems::gripper::GripSearch search{.most_current = words.number("least_current_up_to"),
-                                            .most_friction = words.number("least_friction_up_to")};
+  const double most_friction = words.number("least_friction_up_to");
   return answer(actuator, [&] {
-    systems::gripper::GripAnswer out =
-        systems::gripper::grip(it.design, mounting, object, task, point ? point->supply : actuator::Supply{}, search);
-    out.is_of_file = is_of_file;
-    return formats::to_json(out);
+    return formats::to_json(
+        systems::gripper::grip(it.design, task, current, actuator.content.operating_point, most_friction));
   });
 }
 
 py::object crawl(const Actuator& actuator, const py::dict& said) {
-  const Words words(said);
-  const systems::CrawlerParts parts{
-      .payload = {.mass = words.number("payload_mass_g") * 1e-3, .length = words.number("payload_length_mm") * 1e-3},
-      .cell = {.voltage = words.number("cell_voltage"),
-               .capacity = words.number("cell_capacity_mAh") * 3.6,
-               .current_limit = words.number("cell_limit")},
-      .friction = {.forwards = words.number("friction_forwards"), .backwards = words.number("friction_backwards")},
-      .drive = {.frequency = words.number("frequency"),
-                .duty = words.number("duty"),
-                .lead_resistance = words.number("lead_resistance")}};
+  systems::CrawlTask task;
+  Words(said).set_numbers(formats::crawl_numbers(), task);
   const Built it = built(actuator, "a crawler needs a design (actuator/1)");
-  const systems::CrawlTiming how{.settling_periods = words.whole("settling_periods"),
-                                 .periods = words.whole("periods"),
-                                 .step = words.number("step_ms") * 1e-3};
   return answer(actuator, [&] {
-    const systems::Crawler crawler(it.design, it.assembly, parts);
-    const systems::Crawl found = systems::crawl(crawler, how);
+    const systems::Crawler crawler(it.design, it.assembly, task.parts);
+    const systems::Crawl found = systems::crawl(crawler, task.timing);
     return formats::to_json(
         formats::rows_of(crawler, found, systems::heat_of_crawl(it.design, it.assembly, crawler, found)));
   });

@@ -34,6 +34,7 @@ class SystemStudyInput(ProgramTest):
             (gripper(friction=0), "/gripper/friction: must be > 0 and <= 10; got 0"),
             (gripper(mounting_angle_deg=90), "/gripper/mounting_angle_deg: must be from -89 to 89; got 90"),
             (gripper(mass_g="40"), '/gripper/mass_g: must be a number; got text "40"'),
+            (gripper(mass_g=5e-4), "/gripper/mass_g: must be from 0.001 to 100000; got 0.0005"),  # as `grip` refuses it
             (gripper(shape="cone"), '/gripper/shape: must be one of "sphere", "cylinder", "box", "upright_cylinder"; got text "cone"'),
             (gripper(shape="box", height_mm=50, fingers=3), "/gripper/fingers: must be 2 unless shape is sphere or upright_cylinder; got 3"),
             (gripper(fingers=3, polarity="opposite"), "/gripper/fingers: must be even where polarity is opposite; got 3"),

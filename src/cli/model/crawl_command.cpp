@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,43 +10,20 @@
 
 #include "cli/actuator_input.hpp"
 #include "cli/model/commands.hpp"
-#include "cli/options.hpp"
+#include "cli/model/task_options.hpp"
 #include "coilwright/formats/systems/crawl_json.hpp"
 #include "coilwright/systems/crawl.hpp"
 #include "coilwright/systems/crawl_heat.hpp"
 #include "coilwright/text/input_error.hpp"
-#include "coilwright/units/unit.hpp"
 
 namespace coilwright::cli {
 namespace {
 
-// As on the command line, each in the unit of its name.
 struct CrawlOptions {
   ActuatorOptions actuator;
-  double friction_forwards{};
-  double friction_backwards{};
-  double frequency = 10.0;
-  double duty = 0.5;
-  double cell_voltage = 4.2;
-  double cell_capacity = 150.0;
-  double cell_limit = 3.0;
-  double lead_resistance = 0.12;
-  double payload_mass = 23.0;
-  double payload_length = 30.0;
-  double step = 0.1;
-  int settling_periods = 10;
-  int periods = 20;
+  systems::CrawlTask task;
   bool json{false};
 };
-
-systems::CrawlerParts parts_of(const CrawlOptions& options) {
-  return {.payload = {.mass = options.payload_mass * 1e-3, .length = options.payload_length * 1e-3},
-          .cell = {.voltage = options.cell_voltage,
-                   .capacity = options.cell_capacity * 3.6,
-                   .current_limit = options.cell_limit},
-          .friction = {.forwards = options.friction_forwards, .backwards = options.friction_backwards},
-          .drive = {.frequency = options.frequency, .duty = options.duty, .lead_resistance = options.lead_resistance}};
-}
 
 struct Answer {
   formats::CrawlRows rows;
@@ -60,13 +36,12 @@ Answer answer_of(const CrawlOptions& options) {
       built_design(read_actuator(options.actuator), options.actuator, "a crawler needs a design (actuator/1)");
   const systems::Crawler crawler = [&] {
     try {
-      return systems::Crawler(built.design, built.assembly, parts_of(options));
+      return systems::Crawler(built.design, built.assembly, options.task.parts);
     } catch (const std::invalid_argument& rule) {
       throw text::InputError({.file = options.actuator.file, .rule = rule.what()});
     }
   }();
-  const systems::Crawl crawl = systems::crawl(
-      crawler, {.settling_periods = options.settling_periods, .periods = options.periods, .step = options.step * 1e-3});
+  const systems::Crawl crawl = systems::crawl(crawler, options.task.timing);
   const systems::CrawlHeat heat = systems::heat_of_crawl(built.design, built.assembly, crawler, crawl);
   return {.rows = formats::rows_of(crawler, crawl, heat), .crawl = crawl, .heat = heat};
 }
@@ -99,33 +74,23 @@ void run_crawl(const CrawlOptions& options) {
   std::cerr << remarks(answer);
 }
 
-void add_numbers(CLI::App& command, CrawlOptions& options) {
-  const auto positive_number = [&](double most, const char* name, double& value, const char* text) {
-    return add_number(command, name, value, up_to(most), text);
+void add_numbers(CLI::App& command, systems::CrawlTask& task) {
+  const auto number = [&, rows = formats::crawl_numbers()](const char* key, const char* text) {
+    add_number_of(command, rows, key, task, text);
   };
-  positive_number(10.0, "--friction-forwards", options.friction_forwards,
-                  "Coefficient of friction of a foot that slides towards the fingertip")
-      ->required();
-  positive_number(10.0, "--friction-backwards", options.friction_backwards, "Of one that slides towards the rear")
-      ->required();
-  add_number(command, "--frequency-Hz", options.frequency, text::Rule::between(0.1, 1000.0),
-             "Frequency of the pulses, Hz (default 10)");
-  add_number(command, "--duty", options.duty, text::Rule::above(0.0).and_also(text::Rule::below(1.0)),
-             "Fraction of a period with the switch closed (default 0.5)");
-  positive_number(100.0, "--cell-voltage-V", options.cell_voltage, "Voltage of the cell, V (default 4.2)");
-  positive_number(1e6, "--cell-capacity-mAh", options.cell_capacity, "Capacity of the cell, mAh (default 150)");
-  positive_number(1e3, "--cell-limit-A", options.cell_limit, "The most that the cell delivers, A (default 3)");
-  add_number(command, "--lead-resistance-Ohm", options.lead_resistance, text::Rule::between(0.0, 1e3),
-             "Of switch and leads, which carry the current of all coils, Ohm (default 0.12)");
-  positive_number(1e4, "--payload-mass-g", options.payload_mass,
-                  "Of battery, board and longer rear part, g (default 23)");
-  positive_number(1e3, "--payload-length-mm", options.payload_length,
-                  "By which the rear part is longer, mm (default 30)");
-  add_number(command, "--step-ms", options.step, text::Rule::between(1e-3, 1.0), "Longest time step, ms (default 0.1)");
-  add_whole_number(command, "--settling-periods", options.settling_periods, text::Rule::between(0, 10000),
-                   "Periods before it is measured (default 10)");
-  add_whole_number(command, "--periods", options.periods, text::Rule::between(1, 10000),
-                   "Periods over which it is measured (default 20)");
+  number("friction_forwards", "Coefficient of friction of a foot that slides towards the fingertip");
+  number("friction_backwards", "Of one that slides towards the rear");
+  number("frequency_Hz", "Frequency of the pulses, Hz (default 10)");
+  number("duty", "Fraction of a period with the switch closed (default 0.5)");
+  number("cell_voltage_V", "Voltage of the cell, V (default 4.2)");
+  number("cell_capacity_mAh", "Capacity of the cell, mAh (default 150)");
+  number("cell_limit_A", "The most that the cell delivers, A (default 3)");
+  number("lead_resistance_Ohm", "Of switch and leads, which carry the current of all coils, Ohm (default 0.12)");
+  number("payload_mass_g", "Of battery, board and longer rear part, g (default 23)");
+  number("payload_length_mm", "By which the rear part is longer, mm (default 30)");
+  number("step_ms", "Longest time step, ms (default 0.1)");
+  number("settling_periods", "Periods before it is measured (default 10)");
+  number("periods", "Periods over which it is measured (default 20)");
 }
 
 }  // namespace
@@ -134,7 +99,7 @@ void add_crawl_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<CrawlOptions>();
   CLI::App* command = add_command(app, "crawl");
   add_actuator_options(*command, options->actuator);
-  add_numbers(*command, *options);
+  add_numbers(*command, options->task);
   add_json_option(*command, options->json);
   command->footer(
       "The actuator lies on its bottom layer with the payload behind its rear part. All coils are in parallel on the\n"

@@ -7,48 +7,19 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/design/design.hpp"
+#include "coilwright/formats/systems/task_numbers.hpp"
 #include "coilwright/simulation/quantity.hpp"
 #include "coilwright/sizing/study/study.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
-
-/// A number of a block of a study that says what is built from the actuator. The one table that the block's reader and
-/// the study's variables share.
-template <class Task>
-struct BlockNumber {
-  std::string_view key;                  ///< in the block, its unit at its end
-  text::Rule rule;                       ///< in that unit
-  double (*get)(const Task&) = nullptr;  ///< SI
-  void (*set)(Task&, double) = nullptr;  ///< SI
-  /// Settings may vary, and required ones must be in the block. The others are whole numbers, and how finely it is
-  /// computed: no variables.
-  enum class Kind { setting, required, whole_step, of_computation };
-  Kind kind = Kind::setting;
-};
-
-/// A row of such a table. `number` is a lambda without captures that gives the number of a task, by reference.
-template <class Task, class Number>
-[[nodiscard]] BlockNumber<Task> block_number(std::string_view key, const text::Rule& rule, Number,
-                                             typename BlockNumber<Task>::Kind kind = BlockNumber<Task>::Kind::setting) {
-  return {.key = key,
-          .rule = rule,
-          .get = [](const Task& task) { return static_cast<double>(Number{}(task)); },
-          .set =
-              [](Task& task, double value) {
-                auto& number = Number{}(task);
-                number = static_cast<std::remove_reference_t<decltype(number)>>(value);
-              },
-          .kind = kind};
-}
 
 /// A number of a block that a study's variables may move.
 struct BlockVariable {
@@ -75,11 +46,6 @@ template <class Task, auto Quantities>
   for (const simulation::ResultQuantity& each : Quantities([](const simulation::Settings&) { return Task{}; }))
     names.push_back(each.name);
   return names;
-}
-
-/// Above zero, and within what any hardware has.
-constexpr text::Rule up_to(double most) {
-  return text::positive.and_also(text::Rule::at_most(most));
 }
 
 /// Throws std::invalid_argument "needs an actuator without `what`" where a design that can be built has it.

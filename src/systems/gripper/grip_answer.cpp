@@ -2,6 +2,7 @@
 
 #include "coilwright/actuator/cost.hpp"
 #include "coilwright/actuator/heat.hpp"
+#include "coilwright/systems/gripper/grip_task.hpp"
 #include "coilwright/systems/gripper/heat_of_hold.hpp"
 #include "coilwright/thermal/steady_state.hpp"
 
@@ -10,6 +11,9 @@ namespace {
 
 // Of coils and magnets while they grip, degC.
 constexpr double cold = 20.0;
+
+// In both fingers, unless the caller or the file says otherwise: that of the paper's demonstrations, A.
+constexpr double paper_current = 1.4;
 
 }  // namespace
 
@@ -35,6 +39,19 @@ GripAnswer grip(const actuator::Design& design, const Mounting& mounting, const 
   if (search.most_friction > 0.0)
     out.least_friction = {.most = search.most_friction,
                           .found = least_friction(gripper, object, task, search.most_friction)};
+  return out;
+}
+
+GripAnswer grip(const actuator::Design& design, const GripperTask& task, const std::optional<double>& current,
+                const std::optional<actuator::OperatingPoint>& point, double most_friction) {
+  const bool is_of_file = !current && point;
+  GripAnswer out = grip(design, task.mounting, task.object,
+                        {.current = is_of_file ? point->current : current.value_or(paper_current),
+                         .open_current = task.open_current,
+                         .acceleration = task.acceleration},
+                        point ? point->supply : actuator::Supply{},
+                        {.most_current = task.most_current, .most_friction = most_friction});
+  out.is_of_file = is_of_file;
   return out;
 }
 

@@ -11,19 +11,14 @@
 #include "cli/model/grip/grip_options.hpp"
 #include "coilwright/formats/systems/grip_json.hpp"
 #include "coilwright/report/systems/grip_text.hpp"
+#include "coilwright/systems/gripper/grip_task.hpp"
 #include "coilwright/text/input_error.hpp"
-#include "coilwright/units/angle.hpp"
 
 namespace coilwright::cli {
 namespace {
 
 using systems::gripper::GripAnswer;
 using systems::gripper::Gripper;
-using systems::gripper::Mounting;
-using systems::gripper::Polarity;
-
-// In both fingers, unless the command or the file says otherwise: that of the paper's demonstrations, A.
-constexpr double paper_current = 1.4;
 
 // Runs `call`; a rule that it finds broken is reported at `place`.
 template <class Call>
@@ -46,24 +41,13 @@ auto at_place(const std::string& place, const Call& call) {
 // Closes the gripper on the object, lifts and loads it. Throws InputError naming the file or the options whose rule is
 // broken.
 GripAnswer answer_of(const GripOptions& options) {
+  const systems::gripper::GripperTask task = task_of(options);
   formats::ActuatorFile file = read_actuator(options.actuator);
   const actuator::Design design = built_design(file, options.actuator, "a gripper needs a design (actuator/1)").design;
-  const Mounting mounting{.angle = options.mounting_angle / units::degrees_per_radian,
-                          .spacing = options.spacing * 1e-3,
-                          .polarity = options.polarity == "same" ? Polarity::same : Polarity::opposite,
-                          .fingers = options.fingers};
-  (void)at_place(options.actuator.file, [&] { return Gripper(design, mounting); });
-  const bool is_of_file = !options.current && file.operating_point;
-  const double current = is_of_file ? file.operating_point->current : options.current.value_or(paper_current);
-  GripAnswer out = at_place("--shape, --width-mm, --centre-x-mm, --centre-below-palm-mm", [&] {
-    return systems::gripper::grip(
-        design, mounting, object_of(options),
-        {.current = current, .open_current = options.open_current, .acceleration = options.acceleration},
-        file.operating_point ? file.operating_point->supply : actuator::Supply{},
-        {.most_current = options.most_current, .most_friction = options.most_friction});
+  (void)at_place(options.actuator.file, [&] { return Gripper(design, task.mounting); });
+  return at_place("--shape, --width-mm, --centre-x-mm, --centre-below-palm-mm", [&] {
+    return systems::gripper::grip(design, task, options.current, file.operating_point, options.most_friction);
   });
-  out.is_of_file = is_of_file;
-  return out;
 }
 
 }  // namespace
@@ -82,7 +66,6 @@ void add_grip_command(CLI::App& app, Outcome&) {
       "Example:\n"
       "  coilwright grip configs/actuators/paper_finger.json --width-mm 60 --mass-g 40 --friction 0.8");
   command->callback([options] {
-    require_height_of_shape(*options);
     const GripAnswer answer = answer_of(*options);
     std::cout << (options->json ? formats::to_json(answer).text() : report::to_text(answer));
   });

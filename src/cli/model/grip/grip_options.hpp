@@ -5,28 +5,17 @@
 #include <string>
 
 #include "cli/actuator_input.hpp"
-#include "coilwright/systems/gripper/object.hpp"
+#include "coilwright/systems/gripper/quantities.hpp"
 
 namespace coilwright::cli {
 
-/// What `grip` is told on the command line, each in the unit of its option's name.
+/// What `grip` is told on the command line.
 struct GripOptions {
   ActuatorOptions actuator;
-  double mounting_angle = 30.0;
-  double spacing = 70.0;
-  int fingers = 2;
+  systems::gripper::GripperTask task;  ///< but for shape and polarity, of which there are words
   std::string polarity = "same";
   std::string shape = "sphere";
-  double width{};
-  double height{};
-  double mass{};
-  double friction{};
-  double across = 0.0;
-  double below = 16.0;
   std::optional<double> current{};  ///< nothing: the file's own, or the paper's
-  double open_current = 0.0;
-  double acceleration = 0.0;
-  double most_current{};
   double most_friction{};
   bool json{false};
 };
@@ -34,10 +23,7 @@ struct GripOptions {
 /// Adds them to `command`.
 void add_grip_options(CLI::App& command, GripOptions& options);
 
-/// The object that is gripped, in SI units.
-[[nodiscard]] systems::gripper::Object object_of(const GripOptions& options);
-
-/// Throws CLI::ValidationError where the height and the shape of the object do not belong together.
-void require_height_of_shape(const GripOptions& options);
+/// The task with the words. Throws CLI::ValidationError where height and shape of the object do not belong together.
+[[nodiscard]] systems::gripper::GripperTask task_of(const GripOptions& options);
 
 }  // namespace coilwright::cli

@@ -34,17 +34,8 @@ constexpr std::string_view loss = "irreversible_loss_pct";
 constexpr std::string_view smallest_joint = "smallest_joint_angle_deg";
 constexpr std::string_view smallest_rest_joint = "smallest_rest_joint_angle_deg";
 
-// A conditional limit says nothing new where its part is beyond an unconditional one.
-struct SaidBy {
-  std::string_view conditional;
-  std::string_view part;
-};
-constexpr std::array said_by{SaidBy{.conditional = still_air, .part = hot_spot},
-                             SaidBy{.conditional = still_air, .part = magnet_temperature},
-                             SaidBy{.conditional = load_gripping, .part = hot_spot},
-                             SaidBy{.conditional = load_gripping, .part = magnet_temperature},
-                             SaidBy{.conditional = load_free, .part = hot_spot},
-                             SaidBy{.conditional = load_free, .part = magnet_temperature}};
+// Of heat, under a condition: they say nothing new where a part is beyond its own limit.
+constexpr std::array conditional_heat{still_air, load_gripping, load_free};
 
 // Where one pose alone counts, the other one is the condition.
 std::optional<PartLimit> limit_in_other_pose(const DesignView& design) {
@@ -133,9 +124,10 @@ std::vector<PartLimit> broken_part_limits(const DesignView& design) {
   const auto is_broken = [&out](std::string_view name) {
     return std::ranges::find(out, name, &PartLimit::quantity) != out.end();
   };
-  for (const SaidBy& each : said_by)
-    if (is_broken(each.part))
-      std::erase_if(out, [&each](const PartLimit& limit) { return limit.quantity == each.conditional; });
+  if (is_broken(hot_spot) || is_broken(magnet_temperature))
+    std::erase_if(out, [](const PartLimit& limit) {
+      return std::ranges::find(conditional_heat, limit.quantity) != conditional_heat.end();
+    });
   return out;
 }
 

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "coilwright/thermal/limits.hpp"
 #include "coilwright/thermal/steady_state.hpp"
 #include "error_text.hpp"
 #include "thermal/sample_networks.hpp"
@@ -12,57 +11,19 @@
 namespace coilwright::thermal {
 namespace {
 
-// The prototype finger of the paper (Tables I and II): coil, magnet, coil in silicone of 22 mm by 24 mm.
-HeatChain finger() {
-  constexpr double silicone = 1130.0 * 1300.0;
-  const HeatSegment rear{.kind = NodeKind::coil,
-                         .core_length = 12e-3,
-                         .core_radius = 9.5e-3,
-                         .bore_radius = 3e-3,
-                         .core_conductivity = 0.55,
-                         .core_heat_capacity = 7.8,
-                         .wall = 0.3e-3,
-                         .solid_end = 20e-3,
-                         .resistance = 3.76,
-                         .temperature_limit = class_f_enamel_limit};
-  HeatSegment tip = rear;
-  tip.solid_end = 8.6e-3;
-  const HeatSegment magnet{.kind = NodeKind::magnet,
-                           .core_length = 6e-3,
-                           .core_radius = 10e-3,
-                           .bore_radius = 0.0,
-                           .core_conductivity = 9.0,
-                           .core_heat_capacity = 6.5,
-                           .wall = 0.6e-3,
-                           .solid_end = 0.0,
-                           .resistance = 0.0,
-                           .temperature_limit = n_grade_magnet_limit};
-  return {.width = 22e-3,
-          .height = 24e-3,
-          .hinge_layer = 2.5e-3,
-          .axis_offset = 11.5e-3,
-          .heat_transfer = 50.0,
-          .silicone_conductivity = 0.2,
-          .silicone_heat_capacity = silicone,
-          .ambient = 25.0,
-          .temperature_coefficient = alpha,
-          .segments = {rear, magnet, tip},
-          .joint_angles = {0.0, 0.0}};
-}
-
 TEST(HeatChain, IsANodePerCoreJacketAndSolidEnd) {
-  const Network network = build_network(finger());
+  const Network network = build_network(prototype_finger());
   ASSERT_EQ(network.size(), 8);
   EXPECT_EQ(network.nodes()[core_node(1)].kind, NodeKind::magnet);
   EXPECT_EQ(network.nodes()[jacket_node(3, 1)].kind, NodeKind::silicone);
-  HeatChain bare = finger();
+  HeatChain bare = prototype_finger();
   for (HeatSegment& segment : bare.segments) segment.solid_end = 0.0;
   EXPECT_EQ(build_network(bare).size(), 6);
 }
 
 // Faces that stand a little open do what closed ones do, less the joined silicone.
 TEST(HeatChain, OpensWithoutAJumpBetweenTheCores) {
-  HeatChain chain = finger();
+  HeatChain chain = prototype_finger();
   const double closed = -build_network(chain).conductance()(0, 1);
   chain.joint_angles[0] = 1e-7;
   EXPECT_NEAR(-build_network(chain).conductance()(0, 1) / closed, 1.0, 1e-4);  // 1 nm of air
@@ -71,7 +32,7 @@ TEST(HeatChain, OpensWithoutAJumpBetweenTheCores) {
 }
 
 TEST(HeatChain, LosesMoreToAmbientWhereAFaceIsOpen) {
-  HeatChain chain = finger();
+  HeatChain chain = prototype_finger();
   const auto to_ambient = [&] { return build_network(chain).conductance().sum(); };
   const double closed = to_ambient();
   chain.joint_angles = {0.3, 0.0};
@@ -83,7 +44,7 @@ TEST(HeatChain, LosesMoreToAmbientWhereAFaceIsOpen) {
 }
 
 TEST(Calibration, GivesTheCurrentItWasMadeFor) {
-  HeatChain chain = finger();
+  HeatChain chain = prototype_finger();
   chain.heat_transfer = calibrate_heat_transfer(chain, 1.1);
   const ContinuousCurrent found = continuous_current(build_network(chain), LimitedParts::coils);
   EXPECT_NEAR(found.current, 1.1, 1e-10);  // 2^-40 of the logarithm's range
@@ -92,7 +53,7 @@ TEST(Calibration, GivesTheCurrentItWasMadeFor) {
 TEST(Calibration, OfTheFingerIsAboveStillAirAndBelowAFan) {
   // Still air has about 18 W/(m2 K) here (docs/theory/thermal.md, "The film"), forced air 25 to 250; the
   // paper's 1.1 A must lie between or something is amiss with areas or heat.
-  HeatChain chain = finger();
+  HeatChain chain = prototype_finger();
   chain.joint_angles = {0.5236, 0.5236};
   const double found = calibrate_heat_transfer(chain, 1.1);
   EXPECT_GT(found, 18.0);
@@ -100,14 +61,14 @@ TEST(Calibration, OfTheFingerIsAboveStillAirAndBelowAFan) {
 }
 
 TEST(Calibration, DoesNotDependOnTheCoefficientGiven) {
-  HeatChain other = finger();
+  HeatChain other = prototype_finger();
   other.heat_transfer = 3.0;
-  EXPECT_EQ(calibrate_heat_transfer(other, 1.1), calibrate_heat_transfer(finger(), 1.1));
-  EXPECT_LT(calibrate_heat_transfer(finger(), 0.9), calibrate_heat_transfer(finger(), 1.1));
+  EXPECT_EQ(calibrate_heat_transfer(other, 1.1), calibrate_heat_transfer(prototype_finger(), 1.1));
+  EXPECT_LT(calibrate_heat_transfer(prototype_finger(), 0.9), calibrate_heat_transfer(prototype_finger(), 1.1));
 }
 
 TEST(HeatChain, FingersMagnetIsTheWeakPartUnlessTheJointsOpen) {
-  HeatChain chain = finger();
+  HeatChain chain = prototype_finger();
   chain.heat_transfer = calibrate_heat_transfer(chain, 1.1);
   EXPECT_LT(continuous_current(build_network(chain), LimitedParts::magnets).current, 1.1);
   chain.joint_angles = {0.5, 0.5};
@@ -116,16 +77,16 @@ TEST(HeatChain, FingersMagnetIsTheWeakPartUnlessTheJointsOpen) {
 }
 
 TEST(Calibration, RejectsCurrentsThatNoSurfaceAllows) {
-  EXPECT_EQ(error_text([] { (void)calibrate_heat_transfer(finger(), 0.0); }),
+  EXPECT_EQ(error_text([] { (void)calibrate_heat_transfer(prototype_finger(), 0.0); }),
             "continuous_current: must be finite and > 0; got 0");
-  const std::string text = error_text([] { (void)calibrate_heat_transfer(finger(), 9.0); });
+  const std::string text = error_text([] { (void)calibrate_heat_transfer(prototype_finger(), 9.0); });
   EXPECT_TRUE(text.starts_with("continuous_current: must be between 0.0")) << text;
   EXPECT_TRUE(text.ends_with("(10000 W/(m2 K)); got 9")) << text;
 }
 
 TEST(HeatChain, RejectsGeometryOutsideItsRules) {
   const auto text = [](auto change) {
-    HeatChain chain = finger();
+    HeatChain chain = prototype_finger();
     change(chain);
     return error_text([&] { (void)build_network(chain); });
   };

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "coilwright/thermal/chain.hpp"
+#include "coilwright/thermal/limits.hpp"
 #include "coilwright/thermal/network.hpp"
 
 namespace coilwright::thermal {
@@ -75,5 +77,43 @@ inline NodeVector net_heat(const Network& network, const std::vector<double>& li
 
 /// Links of five_nodes, for net_heat.
 inline const std::vector<double> five_links{0.031, 0.012, 0.044, 0.019};
+
+/// The prototype finger of the paper (Tables I and II): coil, magnet, coil in silicone of 22 mm by 24 mm.
+inline HeatChain prototype_finger() {
+  constexpr double silicone = 1130.0 * 1300.0;
+  const HeatSegment rear{.kind = NodeKind::coil,
+                         .core_length = 12e-3,
+                         .core_radius = 9.5e-3,
+                         .bore_radius = 3e-3,
+                         .core_conductivity = 0.55,
+                         .core_heat_capacity = 7.8,
+                         .wall = 0.3e-3,
+                         .solid_end = 20e-3,
+                         .resistance = 3.76,
+                         .temperature_limit = class_f_enamel_limit};
+  HeatSegment tip = rear;
+  tip.solid_end = 8.6e-3;
+  const HeatSegment magnet{.kind = NodeKind::magnet,
+                           .core_length = 6e-3,
+                           .core_radius = 10e-3,
+                           .bore_radius = 0.0,
+                           .core_conductivity = 9.0,
+                           .core_heat_capacity = 6.5,
+                           .wall = 0.6e-3,
+                           .solid_end = 0.0,
+                           .resistance = 0.0,
+                           .temperature_limit = n_grade_magnet_limit};
+  return {.width = 22e-3,
+          .height = 24e-3,
+          .hinge_layer = 2.5e-3,
+          .axis_offset = 11.5e-3,
+          .heat_transfer = 50.0,
+          .silicone_conductivity = 0.2,
+          .silicone_heat_capacity = silicone,
+          .ambient = 25.0,
+          .temperature_coefficient = alpha,
+          .segments = {rear, magnet, tip},
+          .joint_angles = {0.0, 0.0}};
+}
 
 }  // namespace coilwright::thermal

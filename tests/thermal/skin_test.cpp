@@ -9,40 +9,17 @@
 #include "coilwright/thermal/chain.hpp"
 #include "coilwright/thermal/steady_state.hpp"
 #include "error_text.hpp"
+#include "thermal/sample_networks.hpp"
 
 namespace coilwright::thermal {
 namespace {
 
-// Coil, magnet, coil in silicone of 22 mm by 24 mm.
+// With two coils alike, and another film.
 HeatChain finger(double film) {
-  const HeatSegment coil{.kind = NodeKind::coil,
-                         .core_length = 12e-3,
-                         .core_radius = 9.5e-3,
-                         .bore_radius = 3e-3,
-                         .core_conductivity = 0.55,
-                         .core_heat_capacity = 7.8,
-                         .wall = 0.3e-3,
-                         .solid_end = 20e-3,
-                         .resistance = 3.76,
-                         .temperature_limit = 155.0};
-  const HeatSegment magnet{.kind = NodeKind::magnet,
-                           .core_length = 6e-3,
-                           .core_radius = 10e-3,
-                           .core_conductivity = 9.0,
-                           .core_heat_capacity = 6.5,
-                           .wall = 0.6e-3,
-                           .temperature_limit = 80.0};
-  return {.width = 22e-3,
-          .height = 24e-3,
-          .hinge_layer = 2.5e-3,
-          .axis_offset = 11.5e-3,
-          .heat_transfer = film,
-          .silicone_conductivity = 0.2,
-          .silicone_heat_capacity = 1130.0 * 1300.0,
-          .ambient = 25.0,
-          .temperature_coefficient = 3.93e-3,
-          .segments = {coil, magnet, coil},
-          .joint_angles = {0.0, 0.0}};
+  HeatChain out = prototype_finger();
+  out.heat_transfer = film;
+  out.segments.back() = out.segments.front();
+  return out;
 }
 
 // A core in the section of a body, its surface at 1 and the air at 0: the temperature in squares of `cell`, heat by

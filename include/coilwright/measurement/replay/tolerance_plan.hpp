@@ -45,7 +45,7 @@ struct TolerancePlan {
 };
 
 /// What may move of a design whose numbers `calibrated` are fitted anew and of whose others `said` is known:
-/// docs/decisions/0019-tolerances.md. `measured` are the values from which its calibration followed; `drawn` is its
+/// docs/theory/measurement.md. `measured` are the values from which its calibration followed; `drawn` is its
 /// nominal model without what differs from it. Some of the defaults may act alike. Throws ToleranceFault for a
 /// tolerance of what the model does not have, and one of 0 of a number that is calibrated.
 [[nodiscard]] TolerancePlan tolerance_plan(std::span<const std::string> calibrated, const Tolerances& said,

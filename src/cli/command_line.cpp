@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -78,7 +79,17 @@ ExitCode fail(ErrorFormat format, ExitCode code, std::string_view message, const
 // Made before the work, because there is no memory for it then; global, because nothing else reaches a terminate
 // handler.
 std::string out_of_memory;
+std::atomic_flag is_told;
 std::terminate_handler terminate_otherwise = nullptr;
+
+// By the first of several threads alone, for whose line the others wait.
+void tell_out_of_memory() {
+  if (is_told.test_and_set()) {
+    ::sleep(1);
+    return;
+  }
+  [[maybe_unused]] const ssize_t said = ::write(STDERR_FILENO, out_of_memory.data(), out_of_memory.size());
+}
 
 // Memory may fail where nothing can be thrown: under a library in C, in what clears up after another error, in the
 // telling of it. Functions of the standard library that throw nothing (std::filesystem's with an error_code) then end
@@ -86,7 +97,7 @@ std::terminate_handler terminate_otherwise = nullptr;
 [[noreturn]] void end_out_of_memory() {
   const std::type_info* thrown = abi::__cxa_current_exception_type();
   if (thrown == nullptr || *thrown == typeid(std::bad_alloc)) {
-    [[maybe_unused]] const ssize_t said = ::write(STDERR_FILENO, out_of_memory.data(), out_of_memory.size());
+    tell_out_of_memory();
     std::_Exit(static_cast<int>(ExitCode::failure));
   }
   terminate_otherwise();
@@ -189,7 +200,7 @@ ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, co
     const bool before_the_work = error.stage() == text::OutputError::Stage::preparing;
     return fail(format, before_the_work ? ExitCode::bad_input : ExitCode::failure, error.what());
   } catch (const std::bad_alloc&) {
-    std::cerr << out_of_memory;
+    tell_out_of_memory();
     return ExitCode::failure;
   } catch (const std::filesystem::filesystem_error& error) {
     const text::InputError told(

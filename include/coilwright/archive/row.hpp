@@ -10,11 +10,12 @@
 
 #include "coilwright/sizing/problem/problem.hpp"
 #include "coilwright/sizing/study/study.hpp"
+#include "coilwright/text/variant.hpp"
 
 namespace coilwright::archive {
 
 /// A value of a variable as an archive keeps it: a number in the unit of the variable's name, or a word.
-using Value = std::variant<double, std::string>;
+using Value = text::Variant<double, std::string>;
 
 /// The values of a study's variables at a point of its search, in their order. Points with the same values are the same
 /// design and have the same evaluation.

@@ -25,6 +25,7 @@ using measurement::replay::CalibrationParameter;
 using measurement::replay::GravityNumber;
 using measurement::replay::LumpedNumber;
 using measurement::replay::LumpedShare;
+using measurement::replay::LumpedShares;
 using measurement::replay::mean_of_joints;
 using measurement::replay::MeanOfJoints;
 using measurement::replay::PartNumber;
@@ -99,7 +100,7 @@ class LumpedNumberResolver {
     if (const auto number = names_.effect_number(i, steps, model_.effects)) {
       found_.numbers.push_back(
           {.parameter = calibration_parameter(name, model_.effects[number->effect], number->parameter),
-           .target = std::vector{LumpedShare{.number = *number}}});
+           .target = LumpedShares{{{.number = *number}}}});
       return;
     }
     if (auto known = find(i, steps)) return add(name, *known);
@@ -124,18 +125,18 @@ class LumpedNumberResolver {
   void add(const std::string& pointer, const KnownNumber& known) {
     const double declared = number_in(model_, known.number);
     found_.numbers.push_back({.parameter = parameter(pointer, known.key, declared, known.rule),
-                              .target = std::vector{LumpedShare{.number = known.number}}});
+                              .target = LumpedShares{{{.number = known.number}}}});
     found_.in_file.push_back({pointer, units::split_unit(known.key)->unit, known.number});
   }
 
   // One value for all joints: the mean, to which each keeps its ratio.
   void add_hinges(std::size_t i, double Hinge::*member, const std::string& key, const std::string& name) {
     const MeanOfJoints value = mean_of_joints(model_.hinges, member);
-    std::vector<LumpedShare> target;
+    LumpedShares target;
     std::vector<std::string> pointers;
     for (std::size_t j = 0; j < value.ratios.size(); ++j) {
       const LumpedNumber number = PartNumber<Hinge>{j, member};
-      target.push_back({.number = number, .ratio = value.ratios[j]});
+      target.each.push_back({.number = number, .ratio = value.ratios[j]});
       pointers.push_back(fmt::format("/joints/{}/{}", j, key));
       found_.in_file.push_back({pointers.back(), units::split_unit(key)->unit, number});
     }

@@ -27,8 +27,8 @@ bool moves_coils(const LumpedNumber& number) {
 }
 
 bool any_of(const LumpedTarget& target, bool (*is)(const LumpedNumber&)) {
-  const auto* shares = std::get_if<std::vector<LumpedShare>>(&target);
-  return shares != nullptr && std::ranges::any_of(*shares, is, &LumpedShare::number);
+  const auto* shares = std::get_if<LumpedShares>(&target);
+  return shares != nullptr && std::ranges::any_of(shares->each, is, &LumpedShare::number);
 }
 
 // Puts a value where it belongs.
@@ -36,8 +36,8 @@ struct Setter {
   LumpedModel& model;
   double value{};
 
-  void operator()(const std::vector<LumpedShare>& shares) const {
-    for (const LumpedShare& share : shares) number_in(model, share.number) = value * share.ratio;
+  void operator()(const LumpedShares& shares) const {
+    for (const LumpedShare& share : shares.each) number_in(model, share.number) = value * share.ratio;
   }
   void operator()(const ForceCurveNumber& number) const { set_number(model.as_built, number, value); }
   void operator()(const AsBuiltNumber& number) const { set_number(model.as_built, number, value); }

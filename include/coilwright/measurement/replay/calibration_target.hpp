@@ -87,9 +87,15 @@ struct LumpedShare {
   double ratio = 1.0;
 };
 
+/// The numbers of a lumped model that one calibrated value sets. A vector alone is no alternative of LumpedTarget: see
+/// text::Variant, which this room does not know.
+struct LumpedShares {
+  std::vector<LumpedShare> each;
+};
+
 /// Which numbers of a lumped model a calibrated value sets: one, or for "joint_stiffness" and "joint_damping" one of
 /// every hinge, each with its ratio to their mean; or what differs from all of them.
-using LumpedTarget = std::variant<std::vector<LumpedShare>, ForceCurveNumber, AsBuiltNumber>;
+using LumpedTarget = std::variant<LumpedShares, ForceCurveNumber, AsBuiltNumber>;
 
 /// A number that may be calibrated: what a fit must know of it, and where it belongs.
 template <class Target>

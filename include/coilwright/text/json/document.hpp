@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "coilwright/text/json/node.hpp"
+#include "coilwright/text/variant.hpp"
 
 namespace coilwright::text {
 
@@ -18,7 +19,7 @@ inline constexpr std::size_t json_value_limit = 1'000'000;  ///< numbers, texts,
 inline constexpr std::size_t json_depth_limit = 64;         ///< arrays and objects inside each other
 
 /// A value without parts.
-using PlainValue = std::variant<bool, double, std::string>;
+using PlainValue = Variant<bool, double, std::string>;
 
 /// A JSON text that has been read. Its nodes are valid as long as it lives.
 class Document {

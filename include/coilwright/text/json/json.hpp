@@ -13,6 +13,8 @@
 #include <variant>
 #include <vector>
 
+#include "coilwright/text/variant.hpp"
+
 namespace coilwright::text {
 
 /// A JSON value, to be written or as it was read (Document, Node). Keys stay in the order in which they were set,
@@ -28,7 +30,7 @@ class Json {
   using Array = std::vector<Json>;     ///< elements of an array
   using Object = std::vector<Member>;  ///< in the order of the file
   /// The kinds of values. Numbers that were read are doubles.
-  using Content = std::variant<std::nullptr_t, bool, double, std::string, Array, Object, std::int64_t>;
+  using Content = Variant<std::nullptr_t, bool, double, std::string, Array, Object, std::int64_t>;
 
   Json() : content_(nullptr) {}  ///< null
   /// A JSON value from a C++ value.

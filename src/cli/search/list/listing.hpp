@@ -6,13 +6,14 @@
 
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/text/rule.hpp"
+#include "coilwright/text/variant.hpp"
 
 namespace coilwright::cli {
 
 /// A table that a program knows: its columns and rows, for people and for programs.
 struct Listing {
   /// Nothing, a number or a text.
-  using Cell = std::variant<std::monostate, double, std::string>;
+  using Cell = text::Variant<std::monostate, double, std::string>;
 
   std::vector<std::string> columns;  ///< a number's column ends in its unit
   std::vector<std::vector<Cell>> rows;

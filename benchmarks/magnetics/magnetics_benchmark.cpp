@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coilwright/magnetics/axial_force.hpp"
+#include "coilwright/magnetics/forces.hpp"
 #include "coilwright/magnetics/hinge_torque.hpp"
 #include "coilwright/magnetics/pair_curve.hpp"
 #include "coilwright/magnetics/wrench.hpp"
@@ -144,6 +145,17 @@ BENCHMARK_CAPTURE(build, line_of_centres_shells, Fidelity::line_of_centres, Curr
                   1e-8);
 BENCHMARK_CAPTURE(build, exact_uniform, Fidelity::exact, CurrentDistribution::uniform, -1.0, 1e-7);
 BENCHMARK_CAPTURE(build, exact_shells, Fidelity::exact, CurrentDistribution::paper_shells, -1.0, 1e-7);
+
+// Tilted ones are integrated over their faces.
+void two_blocks(benchmark::State& state, double tilt) {
+  const Body first{.part = Magnet{.shape = Cuboid{.size = {8e-3, 6e-3, 5e-3}}, .remanence = {0.0, 0.0, 1.2}}};
+  Body second = first;
+  second.pose = {.position = {2e-3, 1e-3, 8e-3}, .axis = {0.0, tilt, 1.0}};
+  const std::vector<Body> both{first, second};
+  for (auto _ : state) benchmark::DoNotOptimize(forces(both));
+}
+BENCHMARK_CAPTURE(two_blocks, parallel, 0.0)->Name("forces/parallel_blocks");
+BENCHMARK_CAPTURE(two_blocks, tilted, 0.01)->Name("forces/tilted_blocks");
 
 void evaluate(benchmark::State& state) {
   const Curve curve =

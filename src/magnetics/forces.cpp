@@ -9,6 +9,7 @@
 
 #include "coilwright/magnetics/constants.hpp"
 #include "magnetics/charged_faces.hpp"
+#include "magnetics/parallel_cuboids.hpp"
 #include "magnetics/require.hpp"
 #include "magnetics/sheet_wrench.hpp"
 #include "magnetics/sheets.hpp"
@@ -109,6 +110,7 @@ EstimatedWrench action(const Body& first, const Body& second) {
     if (axes == Eigen::Matrix3d::Identity()) return {.wrench = seen};
     return {.wrench = {.force = axes * seen.force, .torque = axes * seen.torque}};
   }
+  if (const auto closed = wrench_of_parallel_cuboids(first, second)) return *closed;
   // The smaller magnet's faces: where bodies touch, fewer edges of the other one lie in them.
   if (half_diagonal(first) < half_diagonal(second)) {
     EstimatedWrench back = wrench_on_faces(second, std::get<Magnet>(first.part), first.pose);

@@ -3,7 +3,6 @@ folder, or a line that names what is wrong. And what such a folder holds of a st
 spreadsheet.
 
 The commands are the examples of the manual pages that read such a folder, so that a new one is tried without a line here.
-COILWRIGHT_DAMAGES is how many damages of each kind of folder each gets (default 24; 0: every one).
 """
 
 import csv
@@ -19,11 +18,11 @@ import unittest
 
 from archived_runs import ARCHIVE, forge
 from parts_test import DAMAGES, changed, places_of
-from program import PROGRAM, run
+from program import PROGRAM, THOROUGH, run
 from study import FRONT, GRID, write_study
 from writing_commands import WritingCommands
 
-MOST = int(os.environ.get("COILWRIGHT_DAMAGES", "24"))
+MOST = 8 * THOROUGH  # damages of each kind of folder for each
 SECONDS = 60  # which no command takes here, on however busy a machine
 STUDIES = {"size": {}, "pareto": {"objectives": FRONT}, "sweep": {"variables": GRID, "objectives": FRONT}}
 KINDS = [*STUDIES, "diagnose"]
@@ -127,7 +126,7 @@ class DamagedFolders(WritingCommands):
                     continue  # no folder of this command
                 pairs += 1
                 damages = self.damages_of(kind, example)
-                for file, how, damage in damages if MOST == 0 else draw.sample(damages, min(MOST, len(damages))):
+                for file, how, damage in draw.sample(damages, min(MOST, len(damages))):
                     with self.subTest(command=example, kind=kind, file=file, damage=how):
                         found = self.call(example, kind, damage, file)
                         told += self.assert_same_or_told(f"{example} {kind} {file} {how}", file, expected, found)
@@ -145,7 +144,7 @@ class DamagedFolders(WritingCommands):
             self.assertEqual(listed, names - {"provenance.json"}, kind)
             draw = random.Random(kind)
             damages = [each for each in self.damages_of(kind, report) if each[0] in names]
-            for file, how, damage in damages if MOST == 0 else draw.sample(damages, min(2 * MOST, len(damages))):
+            for file, how, damage in draw.sample(damages, min(2 * MOST, len(damages))):
                 with self.subTest(kind=kind, file=file, damage=how):
                     result, wrote = self.call(report, kind, damage, file)
                     if (file, how) == ("provenance.json", "missing"):

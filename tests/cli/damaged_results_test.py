@@ -16,11 +16,10 @@ import tempfile
 import unittest
 
 from diagnose_test import PLAN, QUICK_PLAN, ROD
-from program import DATA, PROGRAM, ProgramTest, run
+from program import DATA, PROGRAM, THOROUGH, ProgramTest, run
 from study import FRONT, GRID, write_study
 
-# Of each kind of folder and of input; COILWRIGHT_MUTATIONS=790 makes ten thousand.
-MUTATIONS = int(os.environ.get("COILWRIGHT_MUTATIONS", "30"))
+MUTATIONS = 10 * THOROUGH  # of each kind of folder and of input
 VALUES = [None, True, "", "x", "1", -1, 0, 1e300, 2**60, [], {}, [None], {"a": 1}, ["x"]]
 FIELDS = ["", "x", "nan", "-1", "1e999", "0", "1e300", "ok", "failed", "\"a\"\"b\""]
 

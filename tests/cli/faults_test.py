@@ -1,8 +1,5 @@
 """Every system call that changes the disk fails, or the program is killed at it, in every command that writes: an answer
-or one line, nothing half-written, and the command said again gives the same bytes.
-
-COILWRIGHT_FAULTS is the number of faults of each command (default 12, 0: all). strace makes them.
-"""
+or one line, nothing half-written, and the command said again gives the same bytes. strace makes the faults."""
 
 import collections
 import fcntl
@@ -12,10 +9,10 @@ import re
 import subprocess
 import unittest
 
-from program import HANGS, PROGRAM, run
+from program import HANGS, PROGRAM, THOROUGH, run
 from writing_commands import COMMANDS, SLOW, WritingCommands, files_of
 
-FAULTS = int(os.environ.get("COILWRIGHT_FAULTS", "12"))
+FAULTS = 4 * THOROUGH  # of each command
 KILL = "KILL"
 DISK = ("EIO", "ENOSPC", KILL)
 CALLS = {"openat": ("EMFILE", "EIO", "ENOSPC"), "write": DISK, "pwrite64": DISK, "fsync": DISK, "fdatasync": DISK, "rename": DISK,
@@ -61,8 +58,7 @@ class Faults(WritingCommands):
     def faults_of(self, name):
         every = [(call, place, fault, then) for call, place in self.calls_of(name) for fault in CALLS[call]
                  for then in ("", "+") if fault != KILL or not then]
-        count = len(every) if FAULTS == 0 else FAULTS
-        return self.random.sample(every, min(len(every), count // 10 if name in SLOW else count))
+        return self.random.sample(every, min(len(every), -(-FAULTS // 10) if name in SLOW else FAULTS))
 
     def break_once(self, name, call, place, fault, then):
         how = f"{call} {place}{then} {fault}"
@@ -102,7 +98,7 @@ class Faults(WritingCommands):
         made = sum(self.counts[fault] for fault in {fault for faults in CALLS.values() for fault in faults})
         told = ", ".join(f"{count} {what}" for what, count in sorted(self.counts.items()))
         print(f"{made} faults of {len(COMMANDS)} commands: {told}")
-        self.assertGreater(made, len(COMMANDS) * min(FAULTS or 12, 12) // 2)
+        self.assertGreater(made, len(COMMANDS) * min(FAULTS, 12) // 2)
         self.assertGreater(self.counts[KILL], 0)
 
 

@@ -1,9 +1,6 @@
 """kill -9 at random moments, of runs of studies every other one while designs are recorded, and --resume till the end:
 nothing recorded is lost, and no byte of any result differs. The same of diagnoses, whose fits are recorded, and of every
-other command that writes, said again.
-
-COILWRIGHT_KILLS is the number of kills (default 24), half of them of studies, and a fourth as many more of diagnoses.
-"""
+other command that writes, said again."""
 
 import contextlib
 import json
@@ -21,11 +18,11 @@ import unittest
 
 from archived_runs import ARCHIVE, checksum, designs_of, results_of, start, stop_with_designs
 from diagnose_test import QUICK_PLAN, ROD
-from program import HANGS, PROGRAM, ProgramTest, run
+from program import HANGS, PROGRAM, THOROUGH, ProgramTest, run
 from study import FRONT, GRID, write_study
 from writing_commands import COMMANDS, SLOW, STUDIES as SMALL, WritingCommands
 
-KILLS = int(os.environ.get("COILWRIGHT_KILLS", "24")) // 2
+KILLS = 6 * THOROUGH  # of studies and of other commands, a fourth as many of diagnoses
 KILLS_OF_A_RUN = 4  # one run may be killed several times before it ends
 ENDED = 7  # of a design as designs_of() gives it: when its evaluation ended, unix s
 

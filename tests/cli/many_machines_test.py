@@ -1,8 +1,5 @@
 """`--part`, `merge` and `distribute`: the results of a run in parts are those of the run on one machine, byte for byte,
-also under the real engine with its workers and its master killed.
-
-COILWRIGHT_KILLS is the number of workflows in which processes are killed (default 3).
-"""
+also under the real engine with its workers and its master killed."""
 
 import fcntl
 import json
@@ -16,10 +13,10 @@ import unittest
 import engine
 from archived_runs import end, results_of, start, stop_with_designs
 from diagnose_test import PLAN, ROD
-from program import ProgramTest, run
+from program import THOROUGH, ProgramTest, run
 from study import FRONT, GRID, write_study
 
-KILLS = int(os.environ.get("COILWRIGHT_KILLS", "3"))
+KILLS = THOROUGH  # workflows in which processes are killed
 SPREAD = {"parts": "usual"}
 
 

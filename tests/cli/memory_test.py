@@ -1,8 +1,5 @@
 """Memory fails at random in every command that writes: the answer, or one line and exit 1; nothing wrong is recorded, and the
-command said again gives the same bytes.
-
-COILWRIGHT_MEMORY_FAULTS is the number of failures of each command (default 6).
-"""
+command said again gives the same bytes."""
 
 import os
 import random
@@ -11,10 +8,10 @@ import signal
 import subprocess
 import unittest
 
-from program import PROGRAM
+from program import PROGRAM, THOROUGH
 from writing_commands import COMMANDS, SLOW, WritingCommands, files_of
 
-FAULTS = int(os.environ.get("COILWRIGHT_MEMORY_FAULTS", "6"))
+FAULTS = 4 * THOROUGH  # of each command
 LIBRARY = os.environ["COILWRIGHT_FAILING_MEMORY"]
 HANGS = 120  # s; each takes a few undisturbed
 MB = 1_000_000

@@ -6,7 +6,7 @@ import os
 import shutil
 import unittest
 
-from program import run
+from program import drawn, run
 from writing_commands import COMMANDS, SLOW, WritingCommands, files_of
 
 # All that write a folder of results, of a data set or of a workflow; the others have files that no run has.
@@ -56,45 +56,42 @@ class OneRunAFolder(WritingCommands):
 
     def test_what_another_run_wrote_goes_first_or_the_folder_is_refused(self):
         replaced = refused = 0
-        for first in self.commands:
-            for second, arguments in self.commands.items():
-                if second in SLOW or first == second:
+        pairs = [(first, second) for first in self.commands for second in self.commands if second not in SLOW and first != second]
+        for first, second in drawn(pairs):
+            with self.subTest(first=first, second=second):
+                self.after(first, page=True)
+                before = self.state()
+                forced = [*self.commands[second], "--force"]
+                result = run(*forced, cwd=self.place)
+                if result.returncode == 2:
+                    refused += 1
+                    self.assertRegex(result.stderr, r"^coilwright: out[^\n]*\n$")
+                    self.assertEqual(self.state(), before)
                     continue
-                with self.subTest(first=first, second=second):
-                    self.after(first, page=True)
-                    before = self.state()
-                    forced = [*arguments, "--force"]
-                    result = run(*forced, cwd=self.place)
-                    if result.returncode == 2:
-                        refused += 1
-                        self.assertRegex(result.stderr, r"^coilwright: out[^\n]*\n$")
-                        self.assertEqual(self.state(), before)
-                        continue
-                    replaced += 1
-                    self.assertEqual(result.returncode, 0, result.stderr)
-                    there, alone = files_of(self.place / "out"), self.files_alone(second)
-                    self.assertEqual(sorted(there), sorted(alone))
-                    self.assertEqual([name for name in alone if there[name] != alone[name]], [])
-                    self.assertEqual((self.place / "out" / "archive.sqlite").exists(), (self.alone[second] / "archive.sqlite").exists())
-                    page = run("report", "out", cwd=self.place)
-                    told = (self.place / "out" / "report.html").read_bytes() if page.returncode == 0 else page.stderr
-                    self.assertTrue((page.returncode, told) == self.pages[second], "the page is another one")
+                replaced += 1
+                self.assertEqual(result.returncode, 0, result.stderr)
+                there, alone = files_of(self.place / "out"), self.files_alone(second)
+                self.assertEqual(sorted(there), sorted(alone))
+                self.assertEqual([name for name in alone if there[name] != alone[name]], [])
+                self.assertEqual((self.place / "out" / "archive.sqlite").exists(), (self.alone[second] / "archive.sqlite").exists())
+                page = run("report", "out", cwd=self.place)
+                told = (self.place / "out" / "report.html").read_bytes() if page.returncode == 0 else page.stderr
+                self.assertTrue((page.returncode, told) == self.pages[second], "the page is another one")
         print(f"{replaced} folders of another run were replaced, {refused} refused")
         self.assertGreater(replaced, 2 * refused)
 
     def test_without_force_a_folder_of_another_run_stays_as_it_is(self):
-        for first in self.commands:
-            for second, arguments in self.commands.items():
-                # What is begun again goes on; a part of the same run with its own rows, too.
-                if second in SLOW or first == second or first.split()[0] == second.split()[0]:
-                    continue
-                with self.subTest(first=first, second=second):
-                    self.after(first, page=True)
-                    before = self.state()
-                    result = run(*arguments, cwd=self.place)
-                    self.assertEqual((result.returncode, result.stdout), (2, ""))
-                    self.assertRegex(result.stderr, r"^coilwright: out[^\n]*\n$")
-                    self.assertEqual(self.state(), before)
+        # What is begun again goes on; a part of the same run with its own rows, too.
+        pairs = [(first, second) for first in self.commands for second in self.commands
+                 if second not in SLOW and first.split()[0] != second.split()[0]]
+        for first, second in drawn(pairs):
+            with self.subTest(first=first, second=second):
+                self.after(first, page=True)
+                before = self.state()
+                result = run(*self.commands[second], cwd=self.place)
+                self.assertEqual((result.returncode, result.stdout), (2, ""))
+                self.assertRegex(result.stderr, r"^coilwright: out[^\n]*\n$")
+                self.assertEqual(self.state(), before)
 
     def test_a_persons_files_stay(self):
         for second in ("size", "diagnose", "merge", "twin"):

@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import unittest
 
-from program import PROGRAM, run
+from program import PROGRAM, drawn, run
 from writing_commands import WritingCommands
 
 SECONDS = 20  # which no merge of these parts takes, on however busy a machine
@@ -135,15 +135,14 @@ class Parts(WritingCommands):
         for kind in KINDS:
             part = self.lay(kind)
             names = ["part.json", *(file["file"] for file in json.loads((part / "part.json").read_text())["files"])]
-            for name in names:
-                for how, damage in DAMAGES.items():
-                    with self.subTest(kind=kind, file=name, damage=how):
-                        part = self.lay(kind)
-                        if name == "part.json" and how == "longer":
-                            continue  # a line's end behind a JSON is nothing
-                        damage(part / name)
-                        self.assert_refused_as_it_is((kind, name, how), "merged", "part1", "part2")
-                        merges += 1
+            for name, how in drawn((name, how) for name in names for how in DAMAGES):
+                with self.subTest(kind=kind, file=name, damage=how):
+                    part = self.lay(kind)
+                    if name == "part.json" and how == "longer":
+                        continue  # a line's end behind a JSON is nothing
+                    DAMAGES[how](part / name)
+                    self.assert_refused_as_it_is((kind, name, how), "merged", "part1", "part2")
+                    merges += 1
         print(f"{merges} damaged parts")
 
     def whole(self, kind):
@@ -170,17 +169,17 @@ class Parts(WritingCommands):
             for name in ("part.json", "found.json", "diagnosis.json"):
                 if not (self.inputs / kind / "part1" / name).exists():
                     continue
-                for at in places_of(json.loads((self.inputs / kind / "part1" / name).read_text())):
-                    for numbers in ([1], [1, 2]):
-                        with self.subTest(kind=kind, file=name, place=at, parts=numbers):
-                            self.lay(kind)
-                            for number in numbers:
-                                path = self.place / f"part{number}" / name
-                                path.write_text(json.dumps(changed(json.loads(path.read_text()), at), indent=2) + "\n")
-                            self.assert_refused_or(expected)
-                            count += 1
+                places = places_of(json.loads((self.inputs / kind / "part1" / name).read_text()))
+                for at, numbers in drawn((at, numbers) for at in places for numbers in ([1], [1, 2])):
+                    with self.subTest(kind=kind, file=name, place=at, parts=numbers):
+                        self.lay(kind)
+                        for number in numbers:
+                            path = self.place / f"part{number}" / name
+                            path.write_text(json.dumps(changed(json.loads(path.read_text()), at), indent=2) + "\n")
+                        self.assert_refused_or(expected)
+                        count += 1
         print(f"{count} changed values")
-        self.assertGreater(count, 200)
+        self.assertGreater(count, 100)
 
     def test_exchanged_files_of_parts_are_refused(self):
         for kind in set(KINDS) - {"diagnose"}:  # whose number is but a place in the table

@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import pathlib
+import random
 import resource
 import subprocess
 import tempfile
@@ -15,6 +16,14 @@ CONFIGS = DATA.parent.parent / "configs"
 PAPER_FINGER = CONFIGS / "actuators" / "paper_finger.json"
 # A command that takes longer does not end at all, not even on a busy machine.
 HANGS = 900  # s
+# How much is tried where more could be than anyone waits for: 3 in the long tests, 100 for a night.
+THOROUGH = int(os.environ.get("COILWRIGHT_THOROUGH", "1"))
+
+
+def drawn(cases):
+    """Of many cases a third, always the same; all from a thoroughness of 3 on."""
+    cases = list(cases)
+    return random.Random(1).sample(cases, min(len(cases), -(-THOROUGH * len(cases) // 3)))
 
 
 def run(*arguments, cwd=None, stdout=subprocess.PIPE):

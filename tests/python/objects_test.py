@@ -25,16 +25,12 @@ def objects():
     finger = cw.Actuator.prototype()
     rod = cw.Actuator.from_dict({
         "format": "lumped-model/1", "name": "rod", "gravity_m_s2": 9.81, "magnetics": None,
-        "links": [{"length_m": 0.2, "com_along_m": 0.2, "com_offset_m": 0.0, "mass_kg": 0.52, "inertia_kgm2": 0.01}],
-        "joints": [{"stiffness_Nm_rad": 0.0, "damping_Nms_rad": 0.02, "torque_offset_Nm": 0.0}]})
-    swing = {"format": "experiment/1", "name": "swing", "sampling_rate_Hz": 40, "noise_deg": 0.3, "runs": [
-        {"name": name, "kind": "transient", "drive": "torque", "duration_s": 2.0,
-         "input": {"shape": "step", "from": 0.0, "to": size, "at_s": 0.2}} for name, size in (("one", 0.4), ("two", 0.6))]}
-    try:
-        records = cw.twin(rod, swing)
-    except cw.InputError:
-        records = cw.twin(finger, "configs/experiments/paper.json")
-        rod = finger
+        "links": [{"length_m": 0.2, "com_along_m": 0.2, "com_offset_m": 0.0, "mass_kg": 0.5, "inertia_kgm2": 0.0}],
+        "joints": [{"stiffness_Nm_rad": 0.1, "damping_Nms_rad": 0.005}]})
+    records = cw.twin(rod, {
+        "format": "experiment/1", "name": "swing", "sampling_rate_Hz": 40, "noise": {"angle_deg": 0.3}, "measure": ["theta1_deg"],
+        "runs": [{"file": "swing.csv", "role": "fit", "duration_s": 1, "drive": "torque",
+                  "input": {"sine": {"amplitude_Nmm": 300, "frequency_Hz": 1}}}]})
     made = [finger, cw.Effect("stiffening", stage="hinge", description="a cubic spring", equation="-k q^3", source="here",
                               starts=[[0.01]], numbers=[cw.Number("cubic", "how much", 0.0, 1.0, 0.0)], torques=cubic),
             cw.Estimate("torque_Nmm", 0.6, 0.5, 0.7), cw.Number("torque_Nmm", "largest", 0.0, 1.0), cw.Pair.from_dict(PAIR),

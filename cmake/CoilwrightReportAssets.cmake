@@ -1,11 +1,11 @@
 # What `coilwright report` packs into its pages beside our own script: Vega, Vega-Lite and vega-embed, installed by npm at
-# the versions of src/page/assets/package-lock.json when the build is configured. Nothing of theirs is in this repository.
+# the versions of cmake/vega/package-lock.json when the build is configured. Nothing of theirs is in this repository.
 #
 # AUTO: taken where npm is found and can install them; otherwise the program is built without, and `report` says so.
 set(COILWRIGHT_REPORT_ASSETS AUTO CACHE STRING "Pack Vega into the program, for reports: AUTO, ON or OFF")
 set_property(CACHE COILWRIGHT_REPORT_ASSETS PROPERTY STRINGS AUTO ON OFF)
 
-set(report_sources ${PROJECT_SOURCE_DIR}/src/page/assets)
+set(report_sources ${PROJECT_SOURCE_DIR}/cmake/vega)
 set(report_folder ${PROJECT_BINARY_DIR}/report_assets)
 set(COILWRIGHT_REPORT_FILES)  # of ${report_folder}/packed; empty: there are none
 

@@ -25,7 +25,7 @@ constexpr std::string_view alone = "true";  // what CLI11 gives a flag without a
 }  // namespace
 
 std::string page_name_complaint(const std::string& name) {
-  if (name.empty()) return "must not be empty";
+  if (name.find_first_not_of(' ') == std::string::npos) return "must not be empty";
   // So that a slip replaces no records and no script.
   return name.ends_with(".html") ? "" : fmt::format("must end in .html; got \"{}\"", name);
 }
@@ -82,8 +82,8 @@ std::vector<std::string> with_named_pages(std::span<const char* const> arguments
   for (const std::string_view each : arguments)
     if (!out.empty() && out.back() == option && is_page(each))
       out.back() += fmt::format("={}", each);
-    else
-      out.emplace_back(each);
+    else  // a flag of CLI11 does not tell an empty value from none, but a blank one
+      out.push_back(fmt::format("{}{}", each, each == "--report=" ? " " : ""));
   return out;
 }
 

@@ -173,10 +173,6 @@ Json vega_lite(const std::string& description, std::size_t height, bool resizes,
                        {"autosize", std::move(size)}});
 }
 
-std::string short_number(double value) {
-  return fmt::format("{:.4g}", value);
-}
-
 Figure figure_of(const Chart& chart) {
   Json layers = Json::array();
   for (const Mark mark : {Mark::faint, Mark::steps, Mark::line, Mark::dots, Mark::points})

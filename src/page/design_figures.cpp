@@ -262,7 +262,7 @@ std::vector<Section> design_sections(const EvaluatedDesign& evaluated, const exp
     response.blocks.emplace_back(response_figure(evaluated, *motion));
     response.blocks.emplace_back(speed_figure(*motion));
   } else {
-    response.blocks.emplace_back(Paragraph{"At its operating point it runs away in heat: there is no motion to show."});
+    response.blocks.emplace_back(Lines{"At its operating point it runs away in heat: there is no motion to show."});
   }
   Section torque{.id = "torques", .title = "Torque and force"};
   torque.blocks.emplace_back(torque_figure(evaluated));

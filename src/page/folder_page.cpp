@@ -1,13 +1,23 @@
-#include "coilwright/page/pages.hpp"
+#include <algorithm>
+#include <utility>
+#include <variant>
 
+#include "coilwright/page/chart.hpp"
+#include "coilwright/page/pages.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "page/result_pages.hpp"
+#include "page/result_words.hpp"
 
 namespace coilwright::page {
 namespace {
 
 constexpr const char* diagnosis_name = "diagnosis.json";
+
+struct BlockOf {
+  Block operator()(const report::BarChart& chart) const { return figure_of(chart); }
+  Block operator()(const auto& block) const { return block; }
+};
 
 Page page_of(const std::filesystem::path& folder, const std::filesystem::path& file, const text::Node& result,
              const PageInputs& inputs) {
@@ -25,6 +35,34 @@ Page page_of(const std::filesystem::path& folder, const std::filesystem::path& f
 }
 
 }  // namespace
+
+Page page_of(const report::Document& document, std::string origin, std::vector<std::string> inputs) {
+  Page page{.title = document.title,
+            .verdict = document.verdict,
+            .cautions = document.cautions,
+            .origin = std::move(origin),
+            .inputs = std::move(inputs)};
+  for (const report::Section& section : document.sections) {
+    if (section.blocks.empty()) continue;
+    page.sections.push_back({.id = section.id, .title = section.title});
+    for (const auto& block : section.blocks) page.sections.back().blocks.push_back(std::visit(BlockOf{}, block));
+  }
+  return page;
+}
+
+Page page_of(const std::filesystem::path& folder, const text::Node& result, std::string_view made_by) {
+  const auto summary = result.find("summary");
+  if (!summary)
+    throw result.error_without_value(
+        R"(must have "summary" (docs/formats.md), which an earlier version did not write: run it again)");
+  return page_of(report::read_document(*summary), origin_text(folder, made_by), input_lines(folder));
+}
+
+Section& section_named(Page& page, std::string_view id, std::string_view title) {
+  const auto found = std::ranges::find(page.sections, id, &Section::id);
+  if (found != page.sections.end()) return *found;
+  return page.sections.emplace_back(Section{.id = std::string(id), .title = std::string(title)});
+}
 
 Page page_of(const std::filesystem::path& folder, const PageInputs& inputs) {
   if (!std::filesystem::is_directory(folder))

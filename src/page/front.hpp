@@ -39,7 +39,7 @@ struct FrontTable {
 /// The columns that people look at: the objectives, then the variables that are none.
 [[nodiscard]] std::vector<std::string> shown_columns(const FrontTable& front);
 
-/// The fields of a row in some columns, to read: numbers with five digits, texts as they are.
+/// The fields of a row in some columns, to read: numbers with six digits, texts as they are.
 [[nodiscard]] std::vector<std::string> shown_fields(const FrontTable& front, std::size_t row,
                                                     std::span<const std::string> columns);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,7 +15,6 @@
 #include "coilwright/text/csv/csv_texts.hpp"
 #include "coilwright/text/markup.hpp"
 #include "page/front.hpp"
-#include "page/html_parts.hpp"
 #include "page/result_words.hpp"
 
 namespace coilwright::page {
@@ -22,29 +22,6 @@ namespace {
 
 using text::Json;
 using text::Node;
-
-std::string names_text(const std::vector<std::string>& names) {
-  return fmt::format("{}", fmt::join(names, " and "));
-}
-
-std::string verdict_of(const Node& result, const FrontTable& front) {
-  const Node counts = member_of(result, "evaluations");
-  const std::string search = fmt::format("{} designs were evaluated, {} of them keep every limit",
-                                         cell_of(counts, "total"), cell_of(counts, "ok"));
-  if (front.rows() == 0)
-    return fmt::format("No design that was found keeps every limit ({}).{}", search, end_of_search(result, true));
-  std::vector<std::string> ranges;
-  for (const std::string& objective : front.objectives) {
-    std::vector<double> values;
-    for (std::size_t row = 0; row < front.rows(); ++row) values.push_back(front.texts.required_number(objective, row));
-    const auto [least, most] = std::ranges::minmax(values);
-    ranges.push_back(fmt::format("{} from {} to {}", objective, short_number(least), short_number(most)));
-  }
-  return fmt::format(
-      "{} designs trade {} against each other: {}. None of them is beaten in every objective by another one that was "
-      "found; {}.{}",
-      front.rows(), names_text(front.objectives), fmt::join(ranges, ", "), search, end_of_search(result, true));
-}
 
 constexpr std::size_t most_with_quantities = 5000;
 
@@ -114,10 +91,10 @@ std::string table_details(const FrontTable& front) {
   // Behind a summary, as every table of a plot.
   return fmt::format(
       "<details id=\"front-table\"><summary>The designs of the front as a table</summary>\n{}</details>\n",
-      table_html(front_rows(front)));
+      report::to_html(front_rows(front)));
 }
 
-Section convergence_section(const std::filesystem::path& folder) {
+void add_convergence(Page& page, const std::filesystem::path& folder) {
   const text::CsvTexts table = read_table(folder / "convergence.csv");
   Series series{.name = "hypervolume", .mark = Mark::steps};
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -127,17 +104,16 @@ Section convergence_section(const std::filesystem::path& folder) {
     series.x.push_back(*x);
     series.y.push_back(*y);
   }
-  Section section{.id = "convergence", .title = "Convergence"};
-  if (series.x.empty()) return section;
-  section.blocks.emplace_back(
-      figure_of(Chart{.id = "search",
-                      .title = "How full the front was after so many evaluations",
-                      .description = "Hypervolume of the front so far in the frame of the final one: ideal 0, nadir 1, "
-                                     "reference 1.1. It says how full the front is, not how far it reaches.",
-                      .x_title = "evaluation",
-                      .y_title = "hypervolume",
-                      .series = {std::move(series)}}));
-  return section;
+  if (series.x.empty()) return;
+  section_named(page, "convergence")
+      .blocks.emplace_back(figure_of(
+          Chart{.id = "search",
+                .title = "How full the front was after so many evaluations",
+                .description = "Hypervolume of the front so far in the frame of the final one: ideal 0, nadir "
+                               "1, reference 1.1. It says how full the front is, not how far it reaches.",
+                .x_title = "evaluation",
+                .y_title = "hypervolume",
+                .series = {std::move(series)}}));
 }
 
 // Why there are no pictures, or why not all.
@@ -177,35 +153,27 @@ Json landmarks_of(const Node& result, const FrontTable& front) {
 Page front_page(const std::filesystem::path& folder, const Node& result, const PageInputs& inputs) {
   const FrontTable front = read_front(folder, result);
   require_rows(front.texts, member_of(result, "front_size").integer<std::uint32_t>());
-  Page page{.title = fmt::format("{}: front", member_of(result, "study").text()),
-            .verdict = verdict_of(result, front),
-            .cautions = cautions_of_parts(result),
-            .origin = origin_text(folder, inputs.made_by),
-            .inputs = input_lines(folder)};
+  Page page = page_of(folder, result, inputs.made_by);
   const OtherDesigns others = read_other_designs(folder, result, front);
-  Section trade{.id = "trade", .title = "The trade-off"};
+  std::vector<Section> sections;
+  Section& trade = sections.emplace_back(Section{.id = "trade", .title = "The trade-off"});
   if (front.rows() > 0) trade.blocks.emplace_back(Widget{controls_html(front)});
   for (Figure& figure : front_figures(front, others)) trade.blocks.emplace_back(std::move(figure));
-  if (front.rows() == 0) {
-    const auto nearest = result.find("least_infeasible");
-    if (nearest && !nearest->is_null())
-      trade.blocks.emplace_back(
-          Paragraph{"The nearest design: " + members_text(member_of(*nearest, "variables")) + "."});
-    page.sections.push_back(std::move(trade));
-    return page;
+  if (front.rows() > 0) {
+    trade.blocks.emplace_back(Widget{table_details(front)});
+    Section& selection = sections.emplace_back(Section{.id = "selection", .title = "The selected design"});
+    if (front.rows() > most_with_quantities)
+      selection.blocks.emplace_back(Lines{fmt::format(
+          "Of {} designs the page has objectives, variables and margins; every other quantity is in front.csv.",
+          front.rows())});
+    if (std::string missing = pictures_text(front, inputs); !missing.empty())
+      selection.blocks.emplace_back(Lines{std::move(missing)});
+    selection.blocks.emplace_back(Widget{selection_html});
+    add_convergence(page, folder);
   }
-  trade.blocks.emplace_back(Widget{table_details(front)});
-  page.sections.push_back(std::move(trade));
-  Section selection{.id = "selection", .title = "The selected design"};
-  if (front.rows() > most_with_quantities)
-    selection.blocks.emplace_back(Paragraph{fmt::format(
-        "Of {} designs the page has objectives, variables and margins; every other quantity is in front.csv.",
-        front.rows())});
-  const std::string missing = pictures_text(front, inputs);
-  if (!missing.empty()) selection.blocks.emplace_back(Paragraph{missing});
-  selection.blocks.emplace_back(Widget{selection_html});
-  page.sections.push_back(std::move(selection));
-  page.sections.push_back(convergence_section(folder));
+  page.sections.insert(page.sections.begin(), std::make_move_iterator(sections.begin()),
+                       std::make_move_iterator(sections.end()));
+  if (front.rows() == 0) return page;
   page.data.push_back({.id = "front-data", .json = columns_json(front).text()});
   page.data.push_back({.id = "front-landmarks", .json = landmarks_of(result, front).text()});
   if (inputs.study) {

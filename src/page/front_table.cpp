@@ -74,7 +74,7 @@ std::vector<std::string> shown_fields(const FrontTable& front, std::size_t row, 
   for (const std::string& name : columns) {
     const std::string& field = front.texts.column(name)[row];
     const std::optional<double> number = text::number_in(field);
-    out.push_back(number ? fmt::format("{:.5g}", *number) : field);
+    out.push_back(number ? report::short_number(*number) : field);
   }
   return out;
 }

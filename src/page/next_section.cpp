@@ -117,25 +117,19 @@ std::vector<Figure> expected_figures(const std::filesystem::path& file) {
 
 }  // namespace
 
-Section next_section(const std::filesystem::path& folder, const Node& diagnosis) {
-  Section section{.id = "next", .title = "What to do next, and what cannot be told apart"};
-  const Node summary = member_of(diagnosis, "summary");
-  for (const char* words : {"next_steps", "rivals"})
-    for (std::string& line : texts_of(summary, words)) section.blocks.emplace_back(Paragraph{std::move(line)});
+void add_next_experiment(Page& page, const std::filesystem::path& folder, const Node& diagnosis) {
   const auto next = diagnosis.find("next_experiment");
-  if (!next || next->is_null()) {
-    section.blocks.emplace_back(Paragraph{"No run is proposed that would separate explanations."});
-    return section;
-  }
+  if (!next || next->is_null()) return;
+  Section& section = section_named(page, "next", "What to do next");
   Table table{.header = {"", ""}};
   for (const Node& each : next->members())
     if (each.kind() != Node::Kind::object && each.kind() != Node::Kind::array)
       table.rows.push_back({each.key(), cell_of(each)});
-  section.blocks.emplace_back(TableBlock{.caption = "The run that would separate them", .table = std::move(table)});
+  section.blocks.emplace_back(
+      TableBlock{.caption = "The run that would separate the explanations", .table = std::move(table)});
   if (std::filesystem::is_regular_file(folder / "next_experiment.csv"))
     for (Figure& figure : expected_figures(folder / "next_experiment.csv"))
       section.blocks.emplace_back(std::move(figure));
-  return section;
 }
 
 }  // namespace coilwright::page

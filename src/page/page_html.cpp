@@ -27,21 +27,15 @@ std::string picture_html(const Figure& figure) {
 }
 
 struct Writer {
-  std::string operator()(const Paragraph& paragraph) const {
-    return fmt::format("<p>{}</p>\n", escaped(paragraph.text));
-  }
-  std::string operator()(const Listing& listing) const {
-    return fmt::format("<pre class=\"wide\" tabindex=\"0\">{}</pre>\n", text::escaped_lines(listing.text));
-  }
-  std::string operator()(const TableBlock& block) const { return table_html(block); }
   std::string operator()(const Widget& widget) const { return widget.html; }
+  std::string operator()(const auto& block) const { return report::to_html(block); }
   std::string operator()(const Figure& figure) const {
     std::string out = fmt::format("<figure id=\"{}\">\n<h3>{}</h3>\n{}<figcaption>{}</figcaption>\n", figure.id,
                                   escaped(figure.title), picture_html(figure), escaped(figure.description));
     if (!figure.table.rows.empty())
       out += fmt::format("<details><summary>The numbers of this figure ({} rows{})</summary>\n{}</details>\n",
                          figure.table.rows.size(), figure.table.note.empty() ? "" : ", " + escaped(figure.table.note),
-                         table_html({.caption = figure.title, .table = figure.table}));
+                         report::to_html(TableBlock{.caption = figure.title, .table = figure.table}));
     if (const auto* spec = std::get_if<text::Json>(&figure.content))
       out += fmt::format("<script type=\"application/json\" class=\"spec\" data-figure=\"{}\">{}</script>\n", figure.id,
                          text::script_json(spec->text()));
@@ -53,7 +47,7 @@ std::string body_of(const Page& page) {
   std::string out =
       fmt::format("<header>\n<h1>{}</h1>\n<p class=\"verdict\">{}</p>\n", escaped(page.title), escaped(page.verdict));
   for (const std::string& caution : page.cautions)
-    out += fmt::format("<p class=\"caution\">{}</p>\n", escaped(caution));
+    out += fmt::format("<div class=\"caution\">\n{}</div>\n", report::to_html(Lines{caution}));
   out += fmt::format("<p class=\"origin\">{}</p>\n", escaped(page.origin));
   out += "</header>\n";
   out += "<nav aria-label=\"Sections\"><ul>\n";
@@ -163,12 +157,6 @@ std::string base64(std::string_view bytes) {
     for (std::size_t j = 0; j < 4; ++j) out += i + j > bytes.size() ? '=' : letters[three >> (18 - 6 * j) & 63U];
   }
   return out;
-}
-
-std::string table_html(const TableBlock& block) {
-  return fmt::format("<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">\n{}</div>\n",
-                     text::escaped(block.caption),
-                     text::html_table(block.table.header, block.table.rows, block.caption));
 }
 
 }  // namespace coilwright::page

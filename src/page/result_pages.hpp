@@ -1,29 +1,24 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "coilwright/page/page.hpp"
 #include "coilwright/page/pages.hpp"
-#include "coilwright/sizing/study/yield.hpp"
 #include "coilwright/text/json/node.hpp"
-
-// What would change the answer of `size`; `result` is the root of its result.json.
 
 namespace coilwright::page {
 
 /// The page of a folder that `size` has written; `result` is the root of its result.json.
 [[nodiscard]] Page sizing_page(const std::filesystem::path& folder, const text::Node& result, std::string_view made_by);
 
-/// What builds make of the answer to a study with a spread; without `built`, why none were made.
-[[nodiscard]] Section builds_section(const text::Node& result, const std::optional<sizing::Yield>& built);
+/// The `summary` of a folder's result as a page; `result` is the root of its result.json or diagnosis.json.
+[[nodiscard]] Page page_of(const std::filesystem::path& folder, const text::Node& result, std::string_view made_by);
 
-/// What one step of each variable and each limit relaxed would bring.
-[[nodiscard]] Section sensitivity_section(const text::Node& result);
-
-/// What the answer is under each other modelling choice.
-[[nodiscard]] Section assumptions_section(const text::Node& result);
+/// The section of a page with that id; a new one at its end where there is none.
+[[nodiscard]] Section& section_named(Page& page, std::string_view id, std::string_view title = {});
 
 /// The page of a folder that `pareto` has written; `result` is the root of its result.json.
 [[nodiscard]] Page front_page(const std::filesystem::path& folder, const text::Node& result, const PageInputs& inputs);
@@ -36,8 +31,8 @@ namespace coilwright::page {
 [[nodiscard]] Page diagnosis_page(const std::filesystem::path& folder, const text::Node& diagnosis,
                                   std::string_view made_by);
 
-/// What the data of a diagnosis cannot tell apart, the run that would, and what each explanation expects of it
-/// (next_experiment.csv of the folder, where there is one). `diagnosis` is the root of its diagnosis.json.
-[[nodiscard]] Section next_section(const std::filesystem::path& folder, const text::Node& diagnosis);
+/// Adds the run that would separate explanations, and what each of them expects of it (next_experiment.csv of the
+/// folder, where there is one). `diagnosis` is the root of its diagnosis.json.
+void add_next_experiment(Page& page, const std::filesystem::path& folder, const text::Node& diagnosis);
 
 }  // namespace coilwright::page

@@ -50,41 +50,6 @@ std::string variables_text(const FrontTable& leaders, std::size_t row) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string sweep_verdict(const Node& result, const FrontTable& leaders) {
-  const auto count = [](const Node& of, const char* key) { return member_of(of, key).integer<std::uint64_t>(); };
-  std::vector<std::string> sentences;
-  for (std::size_t i = 0; i < leaders.objectives.size(); ++i)
-    if (const auto row = best_row(leaders, i))
-      sentences.push_back(fmt::format(
-          "The {} {} is {}: {}.", leaders.largest[i] ? "largest" : "smallest", leaders.objectives[i],
-          short_number(leaders.texts.required_number(leaders.objectives[i], *row)), variables_text(leaders, *row)));
-  sentences.push_back(fmt::format("{} of {} designs were evaluated, {} of them keep every limit.",
-                                  count(result, "evaluated"), count(result, "designs"), count(result, "ok")));
-  if (const std::optional<Node> sample = result.find("sample"))
-    sentences.push_back(
-        fmt::format("They are a sample of the range, {} drawn ({}, seed {}): better designs may lie between them.",
-                    count(*sample, "drawn"), cell_of(*sample, "sampling"), count(*sample, "seed")));
-  return fmt::format("{}", fmt::join(sentences, " "));
-}
-
-Section leaders_section(const FrontTable& leaders) {
-  Section section{.id = "best", .title = "The best designs"};
-  Table table{.header = {"best for", "limits"}};
-  const std::vector<std::string> shown = shown_columns(leaders);
-  table.header.insert(table.header.end(), shown.begin(), shown.end());
-  for (std::size_t row = 0; row < leaders.rows(); ++row) {
-    const std::string& status = leaders.texts.column("status")[row];
-    std::vector<std::string> cells{leaders.texts.column("best_for")[row],
-                                   status == "ok" ? "kept" : (status == "failed" ? "not evaluated" : "broken")};
-    for (std::string& field : shown_fields(leaders, row, shown)) cells.push_back(std::move(field));
-    table.rows.push_back(std::move(cells));
-  }
-  section.blocks.emplace_back(TableBlock{.caption = "Of each configuration the best design in each objective; where "
-                                                    "none keeps every limit, the one that is nearest to it",
-                                         .table = std::move(table)});
-  return section;
-}
-
 std::string series_name(const SweepTable::Best& best) {
   return best.group.empty() ? "best of all others" : fmt::format("best with configuration {}", best.group);
 }
@@ -180,7 +145,7 @@ std::vector<Section> effect_sections(const SweepTable& table, const FrontTable& 
     for (std::size_t variable = 0; variable < table.variables.size(); ++variable)
       if (std::optional<Figure> figure = effect_figure(table, leaders, variable, objective))
         section.blocks.emplace_back(*std::move(figure));
-    if (section.blocks.empty()) section.blocks.emplace_back(Paragraph{"No design has a value of it."});
+    if (section.blocks.empty()) section.blocks.emplace_back(Lines{"No design has a value of it."});
     sections.push_back(std::move(section));
   }
   return sections;
@@ -188,7 +153,7 @@ std::vector<Section> effect_sections(const SweepTable& table, const FrontTable& 
 
 Section limits_section(const SweepTable& table) {
   Section section{.id = "limits", .title = "Which limits decide"};
-  if (table.broken.empty()) section.blocks.emplace_back(Paragraph{"The study has no limits."});
+  if (table.broken.empty()) section.blocks.emplace_back(Lines{"The study has no limits."});
   Table rows{.header = {"margin below zero", "designs", "of those: the only limit broken"}};
   for (const SweepTable::Broken& each : table.broken)
     rows.rows.push_back({each.margin, std::to_string(each.times), std::to_string(each.alone)});
@@ -209,21 +174,21 @@ std::vector<Section> drawn_sections(const FrontTable& leaders, const PageInputs&
   if (!row) return {};
   Section head{.id = "design", .title = fmt::format("The best design for {}", leaders.objectives[0])};
   if (!inputs.study) {
-    head.blocks.emplace_back(Paragraph{fmt::format("It cannot be drawn: {}", inputs.why_no_study)});
+    head.blocks.emplace_back(Lines{fmt::format("It cannot be drawn: {}", inputs.why_no_study)});
     return {std::move(head)};
   }
   const sizing::DesignProblem problem(*inputs.study);
   const std::optional<sizing::EvaluatedDesign> design = evaluated_row(problem, leaders, *row);
   if (!design) {
     head.blocks.emplace_back(
-        Paragraph{"It cannot be drawn: evaluated by this program it comes out other than its row has it."});
+        Lines{"It cannot be drawn: evaluated by this program it comes out other than its row has it."});
     return {std::move(head)};
   }
   std::vector<Section> sections = design_sections(
       *design,
       {.name = fmt::format("{}, best {}", problem.study().name, leaders.objectives[0]), .made_by = inputs.made_by});
   sections.front().title = head.title;
-  sections.front().blocks.insert(sections.front().blocks.begin(), Paragraph{variables_text(leaders, *row) + "."});
+  sections.front().blocks.insert(sections.front().blocks.begin(), Lines{variables_text(leaders, *row) + "."});
   return sections;
 }
 
@@ -231,15 +196,10 @@ std::vector<Section> drawn_sections(const FrontTable& leaders, const PageInputs&
 
 Page sweep_page(const std::filesystem::path& folder, const Node& result, const PageInputs& inputs) {
   const FrontTable leaders = read_leaders(folder, result);
-  Page page{.title = fmt::format("{}: sweep", member_of(result, "study").text()),
-            .verdict = sweep_verdict(result, leaders),
-            .cautions = cautions_of_parts(result),
-            .origin = origin_text(folder, inputs.made_by),
-            .inputs = input_lines(folder)};
+  Page page = page_of(folder, result, inputs.made_by);
   const auto evaluated = member_of(result, "evaluated").integer<std::size_t>();
   if (evaluated == 0) return page;
   const SweepTable table = read_sweep(folder, leaders, evaluated, result.find("sample").has_value());
-  page.sections.push_back(leaders_section(leaders));
   if (std::optional<Section> map = map_section(table, leaders)) page.sections.push_back(*std::move(map));
   for (Section& section : effect_sections(table, leaders)) page.sections.push_back(std::move(section));
   page.sections.push_back(limits_section(table));

@@ -80,13 +80,19 @@ class SizeAnswer {
 
   [[nodiscard]] bool feasible() const { return result_.feasible; }
   [[nodiscard]] formats::SizeReport report() const { return formats::size_report(problem_, result_, after_); }
+  [[nodiscard]] report::Document document() const { return report::document_of(report()); }
+  [[nodiscard]] text::Json json() const {
+    return formats::to_json(report()).set("summary", report::to_json(document()));
+  }
   [[nodiscard]] std::optional<std::string> best() const {
     if (!result_.best) return std::nullopt;
     return formats::found_design_text(problem_, result_, *after_.best);
   }
   [[nodiscard]] std::string evaluations() const { return evaluations_of(problem_, result_.archive); }
   void write(const std::string& path) const {
-    write_folder(path, [&](text::OutputFolder& folder) { formats::write_size(folder, problem_, report()); });
+    write_folder(path, [&](text::OutputFolder& folder) {
+      formats::write_size(folder, problem_, report(), report::to_json(document()));
+    });
   }
 
  private:
@@ -115,8 +121,10 @@ class Front {
     broken_ = sizing::broken_part_limits(problem_.study(), designs_);
   }
 
-  [[nodiscard]] text::Json json() const { return formats::to_json(problem_.study(), result_, broken_); }
-  [[nodiscard]] std::string text() const { return report::to_text(problem_.study(), result_, broken_); }
+  [[nodiscard]] text::Json json() const {
+    return formats::to_json(problem_.study(), result_, broken_).set("summary", report::to_json(document()));
+  }
+  [[nodiscard]] report::Document document() const { return report::document_of(problem_.study(), result_, broken_); }
   [[nodiscard]] std::size_t size() const { return designs_.size(); }
   [[nodiscard]] Actuator actuator(std::size_t index) const {
     return actuator_at(problem_, result_.front.at(index).point, designs_.at(index), problem_.study().name);
@@ -126,8 +134,9 @@ class Front {
   }
   [[nodiscard]] std::string evaluations() const { return evaluations_of(problem_, result_.archive); }
   void write(const std::string& path) const {
-    write_folder(
-        path, [&](text::OutputFolder& folder) { formats::write_pareto(folder, problem_.study(), result_, broken_); });
+    write_folder(path, [&](text::OutputFolder& folder) {
+      formats::write_pareto(folder, problem_.study(), result_, broken_, report::to_json(document()));
+    });
   }
 
  private:
@@ -176,6 +185,10 @@ class SweepAnswer {
             .broken = broken_,
             .sample = sample_};
   }
+  [[nodiscard]] report::Document document() const { return report::document_of(report()); }
+  [[nodiscard]] text::Json json() const {
+    return formats::to_json(report()).set("summary", report::to_json(document()));
+  }
   [[nodiscard]] std::size_t size() const { return designs_.size(); }
   [[nodiscard]] Actuator actuator(std::size_t index) const {
     const std::vector<double>& point = designs_.at(index).point;
@@ -189,7 +202,7 @@ class SweepAnswer {
     write_folder(path, [&](text::OutputFolder& folder) {
       write_table(folder.open("designs.csv"));
       formats::write_leaders(folder.open("best.csv"), problem_.study(), best_);
-      folder.write("result.json", formats::to_json(report()).text());
+      folder.write("result.json", json().text());
     });
   }
 
@@ -224,13 +237,15 @@ std::shared_ptr<SweepAnswer> sweep(const Study& study, const py::dict& words, st
 void bind_answers(py::module_& module) {
   py::class_<SizeAnswer, std::shared_ptr<SizeAnswer>>(module, "SizeAnswer")
       .def_property_readonly("feasible", &SizeAnswer::feasible)
-      .def_property_readonly("text", [](const SizeAnswer& self) { return report::to_text(self.report()); })
-      .def("to_dict", [](const SizeAnswer& self) { return to_python(formats::to_json(self.report())); })
+      .def_property_readonly("text", [](const SizeAnswer& self) { return report::to_text(self.document()); })
+      .def_property_readonly("html", [](const SizeAnswer& self) { return report::to_html(self.document()); })
+      .def("to_dict", [](const SizeAnswer& self) { return to_python(self.json()); })
       .def("best", &SizeAnswer::best)
       .def("evaluations", &SizeAnswer::evaluations)
       .def("write", &SizeAnswer::write, py::arg("folder"));
   py::class_<Front, std::shared_ptr<Front>>(module, "Front")
-      .def_property_readonly("text", &Front::text)
+      .def_property_readonly("text", [](const Front& self) { return report::to_text(self.document()); })
+      .def_property_readonly("html", [](const Front& self) { return report::to_html(self.document()); })
       .def("to_dict", [](const Front& self) { return to_python(self.json()); })
       .def("__len__", &Front::size)
       .def("actuator", &Front::actuator, py::arg("index"))
@@ -238,8 +253,9 @@ void bind_answers(py::module_& module) {
       .def("evaluations", &Front::evaluations)
       .def("write", &Front::write, py::arg("folder"));
   py::class_<SweepAnswer, std::shared_ptr<SweepAnswer>>(module, "SweepAnswer")
-      .def_property_readonly("text", [](const SweepAnswer& self) { return report::to_text(self.report()); })
-      .def("to_dict", [](const SweepAnswer& self) { return to_python(formats::to_json(self.report())); })
+      .def_property_readonly("text", [](const SweepAnswer& self) { return report::to_text(self.document()); })
+      .def_property_readonly("html", [](const SweepAnswer& self) { return report::to_html(self.document()); })
+      .def("to_dict", [](const SweepAnswer& self) { return to_python(self.json()); })
       .def("__len__", &SweepAnswer::size)
       .def("actuator", &SweepAnswer::actuator, py::arg("index"))
       .def("table", [](const SweepAnswer& self) { return written([&](std::ostream& out) { self.write_table(out); }); })

@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -13,7 +14,6 @@
 #include "coilwright/report/simulation/correction_text.hpp"
 #include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
-#include "coilwright/report/simulation/shut_joints_text.hpp"
 #include "coilwright/simulation/choice_effects.hpp"
 #include "coilwright/simulation/correction_reach.hpp"
 #include "coilwright/simulation/part_limits.hpp"
@@ -61,19 +61,13 @@ text::Json json_of(const Performance& performance) {
   text::Json out = formats::to_json(performance.evaluated()->view());
   out.set("operating_point", formats::to_json(performance.evaluated()->point));
   const simulation::DesignView design = performance.evaluated()->view();
-  return out.set("part_limits", formats::to_json(simulation::told(simulation::part_limits(design), design)));
+  return out.set("part_limits", formats::to_json(simulation::told_part_limits(design)));
 }
 
-std::vector<simulation::CorrectionReach> reach_of(const simulation::EvaluatedDesign& design) {
-  return simulation::correction_reach(design.assembly.model, design.performance.cold, design.point.current);
-}
-
-std::string text_of(const Performance& performance) {
-  if (const auto* lumped = performance.lumped()) return report::to_text(lumped->motion, lumped->current);
-  const simulation::EvaluatedDesign& design = *performance.evaluated();
-  return report::to_text(simulation::told(simulation::part_limits(design.view()), design.view())) +
-         report::opening_text(design.view()) + report::doubts_text(design.design) + '\n' +
-         report::to_text(design.view()) + report::to_text(reach_of(design));
+report::Document document_of(const Performance& performance) {
+  if (const auto* lumped = performance.lumped())
+    return {.sections = {report::quantities_section(lumped->motion, lumped->current)}};
+  return report::document_of(performance.evaluated()->view(), {});
 }
 
 // What the program says of it beside its numbers. Of a limit that is broken without the numbers, so that a loop over
@@ -91,10 +85,10 @@ void warn_of(const Performance& performance, const Actuator& actuator) {
   const simulation::EvaluatedDesign& design = *performance.evaluated();
   for (const simulation::PartLimit& limit : simulation::broken_part_limits(design.view()))
     if (!limit.conditional) say(fmt::format("breaks the limit of {}: {}", limit.quantity, limit.consequence));
-  for (const std::string& line : text::lines_of(report::doubts_text(design.design)))
-    if (!line.empty()) say(line);
-  for (const simulation::CorrectionReach& each : reach_of(design))
-    if (each.is_beyond()) return say(report::to_text(reach_of(design)).substr(1));
+  for (const std::string& doubt : report::doubts_of(design.design)) say(text::lines_of(doubt).front());
+  const std::vector<simulation::CorrectionReach> reach =
+      simulation::correction_reach(design.assembly.model, design.performance.cold, design.point.current);
+  if (std::ranges::any_of(reach, &simulation::CorrectionReach::is_beyond)) say(report::to_text(reach));
 }
 
 std::vector<simulation::ChoiceEffect> choices_of(const Performance& performance) {
@@ -136,7 +130,8 @@ void bind_performance(py::module_& module) {
       .def("actuator", &actuator_in)
       .def("to_dict", [](const Performance& self) { return to_python(json_of(self)); })
       .def("choices", [](const Performance& self) { return to_python(formats::to_json(choices_of(self))); })
-      .def_property_readonly("text", &text_of);
+      .def_property_readonly("text", [](const Performance& self) { return report::to_text(document_of(self)); })
+      .def_property_readonly("html", [](const Performance& self) { return report::to_html(document_of(self)); });
   module.def("quantities", &quantities);
   module.def("evaluate", [](const Actuator& actuator, std::optional<bool> in_series, const py::kwargs& said) {
     const auto number = [&](const char* name) { return said[name].cast<std::optional<double>>(); };

@@ -228,7 +228,7 @@ py::tuple yield_of(const Study& study, const Actuator& actuator, const std::opti
                {.builds = builds, .worth_builds = worth_builds, .seed = seed, .threads = threads, .stop = stop})
         .value_or(sizing::Yield{});
   });
-  return py::make_tuple(to_python(formats::to_json(found)), report::to_text(found));
+  return py::make_tuple(to_python(formats::to_json(found)), report::to_text(report::document_of(found)));
 }
 
 }  // namespace

@@ -39,17 +39,6 @@ std::string margin_phrase(const Study& study, const AssumptionEffect& effect) {
          limit_phrase(formats::limit_named(study, effect.worst->limit), -effect.worst->margin);
 }
 
-// The variables in which two designs differ.
-std::string difference(const Study& study, const Record& from, const Record& to) {
-  std::vector<std::string> changes;
-  for (std::size_t i = 0; i < from.point.size(); ++i)
-    if (from.point[i] != to.point[i])
-      changes.push_back(fmt::format("{} {} instead of {}", name_of(study.variables[i]),
-                                    value_text(study.variables[i], to.point[i]),
-                                    value_text(study.variables[i], from.point[i])));
-  return fmt::format("{}", fmt::join(changes, ", "));
-}
-
 std::string effect_text(const formats::SizeReport& report, const AssumptionEffect& effect) {
   const std::string_view objective = report.study.objectives.front().quantity.name;
   const Record& best = *report.result.best;
@@ -78,13 +67,41 @@ std::optional<std::string> slightly_broken(const Study& study, const AssumptionE
   return fmt::format("{} ({})", effect.choice.otherwise, fmt::join(broken, ", "));
 }
 
+BarChart choices_chart(const formats::SizeReport& report) {
+  BarChart chart{
+      .id = "choices",
+      .title = "This design if something is otherwise",
+      .description =
+          "Value of the objective if a choice of the model or a number is otherwise, and whether the design "
+          "then still keeps its limits.",
+      .value_title = report.study.objectives.front().quantity.name,
+      .label_title = "if it is otherwise",
+      .bars = {{.label = "as taken", .value = report.result.best->evaluation.objectives.front(), .group = "as taken"}},
+      .symbols = true};
+  for (const AssumptionEffect& each : report.assumptions)
+    if (each.matters() && each.evaluation.failure.empty())
+      chart.bars.push_back({.label = fmt::format("{}: {}", each.choice.subject, each.choice.otherwise),
+                            .value = each.evaluation.objectives.front(),
+                            .group = is_feasible(each.evaluation) ? "keeps every limit" : "breaks a limit"});
+  return chart;
+}
+
 }  // namespace
 
-std::string assumptions_text(const formats::SizeReport& report) {
-  if (report.assumptions.empty()) return {};
-  std::string text =
-      "\nWhat this answer rests on: choices and numbers that no measurement of this design has settled, the largest "
-      "first\n";
+std::string difference(const Study& study, const Record& from, const Record& to) {
+  std::vector<std::string> changes;
+  for (std::size_t i = 0; i < from.point.size(); ++i)
+    if (from.point[i] != to.point[i])
+      changes.push_back(fmt::format("{} {} instead of {}", name_of(study.variables[i]),
+                                    value_text(study.variables[i], to.point[i]),
+                                    value_text(study.variables[i], from.point[i])));
+  return fmt::format("{}", fmt::join(changes, ", "));
+}
+
+Section assumptions_section(const formats::SizeReport& report) {
+  Section section{.id = "assumptions", .title = "What this answer rests on"};
+  if (report.assumptions.empty()) return section;
+  std::string text = "Choices and numbers that no measurement of this design has settled, the largest first\n";
   std::vector<std::string_view> small;
   std::vector<std::string> slight;
   for (const std::span<const AssumptionEffect> of_subject : by_subject(std::span(report.assumptions))) {
@@ -116,14 +133,17 @@ std::string assumptions_text(const formats::SizeReport& report) {
   const bool searched =
       std::ranges::any_of(report.assumptions, [](const AssumptionEffect& each) { return each.evaluations > 1; });
   if (!searched) text += "Which design would be best under them is not known: with a spread none is searched for.\n";
-  if (report.assumptions_left > 0) return text;
-  if (const AssumptionEffect* first = decisive(report.study, *report.result.best, report.assumptions))
-    return text + fmt::format("Measure first: {}. The {} decides most about this design.\n", first->choice.settled_by,
-                              first->choice.subject);
-  return text +
-         fmt::format(
-             "Nothing that a measurement settles changes the objective by more than {:.3g} % or breaks a limit.\n",
-             100.0 * gain_of_another_design);
+  if (report.assumptions_left == 0) {
+    if (const AssumptionEffect* first = decisive(report.study, *report.result.best, report.assumptions))
+      text += fmt::format("Measure first: {}. The {} decides most about this design.\n", first->choice.settled_by,
+                          first->choice.subject);
+    else
+      text += fmt::format(
+          "Nothing that a measurement settles changes the objective by more than {:.3g} % or breaks a limit.\n",
+          100.0 * gain_of_another_design);
+  }
+  section.blocks = {choices_chart(report), Lines{std::move(text)}};
+  return section;
 }
 
 std::string left_out_text(const formats::SizeReport& report) {
@@ -137,7 +157,7 @@ std::string left_out_text(const formats::SizeReport& report) {
   if (report.study.spread && !report.built)
     left.push_back(fmt::format("what {} builds by fresh dice make of this design", formats::builds_of_answer));
   if (left.empty()) return {};
-  return fmt::format("\nNot looked at, as {}: {}.\n",
+  return fmt::format("Not looked at, as {}: {}.\n",
                      answer_only ? "only the answer was asked for (--answer-only)" : "the run was interrupted",
                      fmt::join(left, "; "));
 }

@@ -80,16 +80,16 @@ std::string reasons_for_infeasibility(const Study& study, const Evaluation& eval
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-std::string warning_of_parts(const Study& study, std::span<const sizing::BrokenPartLimit> broken,
-                             std::string_view which, std::size_t designs) {
-  std::string text;
+std::vector<std::string> cautions_of_parts(const Study& study, std::span<const sizing::BrokenPartLimit> broken,
+                                           std::string_view which, std::size_t designs) {
+  std::vector<std::string> out;
   if (const std::string lines = lines_of(broken, false, designs); !lines.empty())
-    text += fmt::format("\nBEWARE: {} break limits of their parts\n{}", which, lines) +
-            advice_text("Limit", unlimited(study, broken, false));
+    out.push_back(fmt::format("BEWARE: {} break limits of their parts\n{}", which, lines) +
+                  advice_text("Limit", unlimited(study, broken, false)));
   if (const std::string lines = lines_of(broken, true, designs); !lines.empty())
-    text += fmt::format("\nMIND what {} need, or give up\n{}", which, lines) +
-            advice_text("Where that will not do, limit", unlimited(study, broken, true));
-  return text;
+    out.push_back(fmt::format("MIND what {} need, or give up\n{}", which, lines) +
+                  advice_text("Where that will not do, limit", unlimited(study, broken, true)));
+  return out;
 }
 
 }  // namespace coilwright::report

@@ -62,10 +62,6 @@ std::string_view meaning_of(sizing::StopReason reason) {
   return "";
 }
 
-std::string to_text(const SearchEnd& end) {
-  return fmt::format("The search ended because {}.{}", meaning_of(end.reason), late_gain_text(end));
-}
-
 SearchEnd end_of(sizing::StopReason reason, const sizing::Archive& archive, std::size_t evaluations) {
   const formats::ArchiveCounts counts = formats::counts_of(archive);
   return {.reason = reason,

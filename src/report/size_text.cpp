@@ -5,13 +5,16 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/report/simulation/coil_currents_text.hpp"
+#include "coilwright/report/simulation/correction_text.hpp"
 #include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/percent.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
@@ -39,33 +42,57 @@ std::string margin_text(double margin, const simulation::ResultQuantity& quantit
   return margin == 0.0 ? "no margin" : "margin " + in_unit(margin, quantity);
 }
 
-std::string range_ends_text(const formats::SizeReport& report) {
-  std::vector<std::string> names;
-  for (const formats::RangeEnd& each : formats::range_ends(report))
-    names.push_back(fmt::format("{} ({})", name_of(report.study.variables[each.variable]), each.end));
-  return names.empty() ? "" : fmt::format("\nVariables at an end of their range: {}\n", fmt::join(names, ", "));
+// Of a feasible answer: its value, the limit that is nearest, and what to measure first.
+std::string answer_sentence(const formats::SizeReport& report) {
+  const Study& study = report.study;
+  const Record& best = *report.result.best;
+  const StudyObjective& objective = study.objectives.front();
+  std::string out = fmt::format("The {} {} found is {}", objective.sense == Sense::maximise ? "largest" : "smallest",
+                                objective.quantity.name, short_number(best.evaluation.objectives.front()));
+  if (const std::optional<WorstMargin> worst = worst_margin(study, best.evaluation))
+    out += fmt::format(", with {} kept and {} the tightest ({:.2g} % left)",
+                       study.limits.size() == 1 ? "its limit" : fmt::format("all {} limits", study.limits.size()),
+                       worst->limit, 100.0 * worst->margin);
+  else
+    out += ", without any limit";
+  const auto is_choice = [](const AssumptionEffect& each) { return each.choice.number.empty(); };
+  if (const auto changes = std::ranges::count_if(report.assumptions, &AssumptionEffect::changes_design); changes > 0)
+    out += fmt::format("; {} of {} other modelling choices would lead to another design", changes,
+                       std::ranges::count_if(report.assumptions, is_choice));
+  return out + ".";
 }
 
-std::string headline(const formats::SizeReport& report) {
-  const Study& study = report.study;
-  std::string text = fmt::format("{}: {}\n\n", study.name, objective_text(study.objectives.front()));
+std::string verdict_of(const formats::SizeReport& report) {
+  if (!report.result.best) return "No design was evaluated.";
+  if (report.result.feasible) return answer_sentence(report);
+  return fmt::format("No design that was found keeps every limit. This is the least infeasible one: {}.",
+                     reasons_for_infeasibility(report.study, report.result.best->evaluation));
+}
+
+std::vector<std::string> interruption_of(const formats::SizeReport& report) {
   if (report.result.search_stop_reason == StopReason::interrupted)
-    text += fmt::format("INTERRUPTED after {} evaluations of {}: the search may find better; --resume goes on.\n\n",
-                        report.result.search_evaluations, study.search.max_evaluations);
-  else if (report.result.stop_reason == StopReason::interrupted)
-    text += fmt::format("{}\n\n", interrupted_after_search);
-  if (!report.result.best) return text + "No design was evaluated.\n";
-  if (report.result.feasible) return text + "Best design";
-  return text + "No design that was found keeps every limit. The least infeasible one";
+    return {fmt::format("INTERRUPTED after {} evaluations of {}: the search may find better; --resume goes on.\n",
+                        report.result.search_evaluations, report.study.search.max_evaluations)};
+  if (report.result.stop_reason == StopReason::interrupted)
+    return {"INTERRUPTED when the search was over: what is missing below was not looked at; --resume goes on.\n"};
+  return {};
 }
 
-// Variables with their value in the actuator that the study starts from, where it has one.
-std::string variables_text(const formats::SizeReport& report) {
+// Each with where it lies at an end of its range.
+TableBlock variables_table(const formats::SizeReport& report) {
   const Study& study = report.study;
-  TextTable table;
-  for (std::size_t i = 0; i < study.variables.size(); ++i)
-    table.row({name_of(study.variables[i]), value_text(study.variables[i], report.result.best->point[i])});
-  return table.text(2, {left, right});
+  const std::vector<formats::RangeEnd> ends = formats::range_ends(report);
+  TableBlock block{.caption = "Variables of the design",
+                   .table = {.header = {"variable", "value", "of its range"}},
+                   .align = {left, right, left},
+                   .headed = false};
+  for (std::size_t i = 0; i < study.variables.size(); ++i) {
+    const auto end = std::ranges::find(ends, i, &formats::RangeEnd::variable);
+    block.table.rows.push_back({name_of(study.variables[i]),
+                                value_text(study.variables[i], report.result.best->point[i]),
+                                end == ends.end() ? "" : fmt::format("{} end of its range", end->end)});
+  }
+  return block;
 }
 
 // What the pulses of the study's driver add, or those of the usual one to a current that the study takes as steady.
@@ -98,12 +125,8 @@ std::string pulses_line(const Study& study, const EvaluatedDesign& best) {
 std::string objective_lines(const formats::SizeReport& report) {
   const Evaluation& best = report.result.best->evaluation;
   const simulation::ResultQuantity& quantity = report.study.objectives.front().quantity;
-  std::string text;
-  if (!best.failure.empty()) {
-    text = fmt::format("\nThis design cannot be evaluated: {}\n", best.failure);
-  } else {
-    text = fmt::format("\n{} {}\n", quantity.name, short_number(best.objectives.front()));
-  }
+  std::string text = best.failure.empty() ? fmt::format("{} {}\n", quantity.name, short_number(best.objectives.front()))
+                                          : fmt::format("This design cannot be evaluated: {}\n", best.failure);
   if (report.best)
     if (const auto* evaluated = std::get_if<EvaluatedDesign>(report.best))
       text += fmt::format("with {}, duty {}\n", coil_currents_text(evaluated->design, evaluated->point.current),
@@ -125,10 +148,8 @@ std::string objective_lines(const formats::SizeReport& report) {
 }
 
 // Of a design that keeps no limit of the study anyway, what the study names is said there.
-std::string parts_text(const formats::SizeReport& report) {
-  const auto* evaluated = report.best ? std::get_if<EvaluatedDesign>(report.best) : nullptr;
-  if (evaluated == nullptr) return {};
-  std::vector<simulation::PartLimit> broken = told(broken_limits(report.study, *evaluated), evaluated->view());
+std::vector<std::string> cautions_of_design(const formats::SizeReport& report, const EvaluatedDesign& design) {
+  std::vector<simulation::PartLimit> broken = told(broken_limits(report.study, design), design.view());
   std::erase_if(broken, [&](const simulation::PartLimit& each) {
     return !report.result.feasible && std::ranges::any_of(report.study.limits, [&](const Limit& limit) {
       return of_one_build(limit).name == each.quantity;
@@ -140,8 +161,9 @@ std::string parts_text(const formats::SizeReport& report) {
     });
     return found == report.study.limits.end() ? std::nullopt : std::optional(found->value);
   };
-  return warning_of_parts(broken, report.study.spread.has_value(), limit_in_study) + opening_text(evaluated->view()) +
-         doubts_text(report.study.base);
+  std::vector<std::string> out = cautions_of_parts(broken, report.study.spread.has_value(), limit_in_study);
+  std::ranges::move(doubts_of(report.study.base), std::back_inserter(out));
+  return out;
 }
 
 // Which limits a build keeps in all of its uses, by the share of the builds that the study asks for.
@@ -161,84 +183,144 @@ std::string every_use_text(const Study& study) {
   return text;
 }
 
-std::string limits_text(const formats::SizeReport& report) {
+Section limits_section(const formats::SizeReport& report) {
   const Evaluation& best = report.result.best->evaluation;
   const Study& study = report.study;
-  if (study.limits.empty() || !best.failure.empty()) return {};
-  TextTable table;
+  Section section{.id = "limits", .title = "Limits"};
+  if (study.limits.empty() || !best.failure.empty()) return section;
+  BarChart chart{.id = "margins",
+                 .title = "Margins",
+                 .description =
+                     "How far each limit is from being reached, in per cent of the limit (of an ordinary magnitude "
+                     "where the limit is 0). A bar to the left is a limit that is broken.",
+                 .value_title = "margin, %",
+                 .label_title = "limit"};
+  TableBlock block{.caption = "Limits",
+                   .table = {.header = {"limit", "value", "margin", "in the way"}},
+                   .align = {left, right, right, left},
+                   .headed = false};
   for (std::size_t i = 0; i < study.limits.size(); ++i) {
     const Limit& limit = study.limits[i];
     const double margin = formats::margin_of(limit, best.constraints[i]);
     std::string remark = margin < 0.0 ? "violated" : "";
-    for (const BindingConstraint& binding : report.result.sensitivity.binding) {
-      if (binding.name != name_of(limit)) continue;
-      remark = binding.at_limit ? "at its limit" : "violated by a step that improves the objective";
-    }
-    table.row({name_of(limit), short_number(formats::value_behind(limit, best.constraints[i])),
-               margin_text(margin, limit.quantity), remark});
+    for (const BindingConstraint& binding : report.result.sensitivity.binding)
+      if (binding.name == name_of(limit))
+        remark = binding.at_limit ? "at its limit" : "violated by a step that improves the objective";
+    chart.bars.push_back({.label = name_of(limit),
+                          .value = -100.0 * best.constraints[i],
+                          .group = margin < 0.0     ? "broken"
+                                   : remark.empty() ? "kept, not in the way"
+                                                    : "kept, in the way"});
+    block.table.rows.push_back({name_of(limit), short_number(formats::value_behind(limit, best.constraints[i])),
+                                margin_text(margin, limit.quantity), std::move(remark)});
   }
-  return "\nLimits\n" + table.text(2, {left, right, right, left}) + every_use_text(study);
+  section.blocks = {std::move(chart), std::move(block)};
+  if (std::string uses = every_use_text(study); !uses.empty()) section.blocks.emplace_back(Lines{std::move(uses)});
+  return section;
 }
 
-std::string relaxations_text(const formats::SizeReport& report) {
+Section relaxations_section(const formats::SizeReport& report) {
   const Study& study = report.study;
-  const std::vector<BindingConstraint>& bindings = report.result.sensitivity.binding;
+  Section section{.id = "relaxed", .title = "Gain if one limit is relaxed"};
   // Without steps there is no analysis: the search was interrupted, or nothing can vary.
-  if (!report.result.feasible || report.result.sensitivity.steps.empty()) return {};
-  if (bindings.empty()) return "\nNo limit binds.\n";
-  std::string text = "\nGain if one limit is relaxed\n";
-  for (const BindingConstraint& binding : bindings) {
-    const Limit& limit = formats::limit_named(study, binding.name);
+  if (!report.result.feasible || report.result.sensitivity.steps.empty()) return section;
+  std::string text;
+  for (const BindingConstraint& binding : report.result.sensitivity.binding) {
     const std::string change = binding.objective_change
                                    ? in_unit(*binding.objective_change, study.objectives.front().quantity)
                                    : std::string("no better design found");
-    text += fmt::format("  {} relaxed to {}: {}\n", binding.name, short_number(formats::relaxed(limit, binding).value),
-                        change);
+    text +=
+        fmt::format("  {} relaxed to {}: {}\n", binding.name,
+                    short_number(formats::relaxed(formats::limit_named(study, binding.name), binding).value), change);
+    if (const std::string other =
+            binding.relaxed_best ? difference(study, *report.result.best, *binding.relaxed_best) : "";
+        !other.empty())
+      text += fmt::format("    by another design: {}\n", other);
   }
-  return text;
+  section.blocks.emplace_back(Lines{text.empty() ? "No limit binds.\n" : std::move(text)});
+  return section;
 }
 
-std::string steps_text(const formats::SizeReport& report) {
-  const std::vector<VariableStep>& steps = report.result.sensitivity.steps;
-  if (steps.empty()) return {};
-  TextTable table;
-  for (const VariableStep& step : steps) {
+Section steps_section(const formats::SizeReport& report) {
+  const simulation::ResultQuantity& objective = report.study.objectives.front().quantity;
+  BarChart chart{.id = "steps",
+                 .title = "One step of one variable",
+                 .description = "Change of the objective when one variable moves by one step and all others stay.",
+                 .value_title = fmt::format("change of {}", objective.name),
+                 .label_title = "step"};
+  TableBlock block{.caption = "Steps of the variables",
+                   .table = {.header = {"variable", "step", "change", "remark"}},
+                   .align = {left, left, right, left},
+                   .headed = false};
+  for (const VariableStep& step : report.result.sensitivity.steps) {
     const StudyVariable& variable = formats::variable_named(report.study, step.variable);
-    const std::string change = step.objective_change
-                                   ? in_unit(*step.objective_change, report.study.objectives.front().quantity)
-                                   : std::string("-");
-    const std::string violated =
-        step.violates.empty() ? "" : fmt::format("violates {}", fmt::join(step.violates, ", "));
-    const std::string remark = step.objective_change ? violated : fmt::format("{}", fmt::join(step.violates, ", "));
-    table.row(
-        {step.variable, value_text(variable, step.from) + " -> " + value_text(variable, step.to), change, remark});
+    const std::string violated = fmt::format("{}", fmt::join(step.violates, ", "));
+    const std::string from_to = value_text(variable, step.from) + " -> " + value_text(variable, step.to);
+    block.table.rows.push_back({step.variable, from_to,
+                                step.objective_change ? in_unit(*step.objective_change, objective) : std::string("-"),
+                                step.objective_change && !violated.empty() ? "violates " + violated : violated});
+    if (step.objective_change)
+      chart.bars.push_back({.label = fmt::format("{} {}", step.variable, from_to),
+                            .value = *step.objective_change,
+                            .group = !step.improves     ? "worse"
+                                     : violated.empty() ? "better"
+                                                        : "better, but breaks a limit"});
   }
-  return "\nChange of the objective by one step of one variable\n" + table.text(2, {left, left, right, left});
+  Section section{.id = "sensitivity", .title = "Change of the objective by one step of one variable"};
+  if (!chart.bars.empty()) section.blocks.emplace_back(std::move(chart));
+  if (!block.table.rows.empty()) section.blocks.emplace_back(std::move(block));
+  return section;
 }
 
-}  // namespace
-
-std::string to_text(const formats::SizeReport& report) {
+Section search_section(const formats::SizeReport& report) {
   const SearchResult& result = report.result;
-  std::string text = headline(report);
-  if (result.best) {
-    text += '\n' + variables_text(report) + objective_lines(report) + parts_text(report) + limits_text(report) +
-            (report.built ? '\n' + built_text(*report.built) + shortfalls_of_answer_text(*report.built) : "") +
-            relaxations_text(report) + range_ends_text(report) + steps_text(report);
-    if (report.best)
-      if (const auto* evaluated = std::get_if<EvaluatedDesign>(report.best))
-        text += "\nAll quantities of this design\n" + to_text(evaluated->view(), report.study.quantities);
-    text += assumptions_text(report) + left_out_text(report);
-  }
-  text += fmt::format("\nThe search ended because {}. It evaluated {} designs", meaning_of(result.search_stop_reason),
-                      result.search_evaluations);
+  std::string text = fmt::format("The search ended because {}. It evaluated {} designs",
+                                 meaning_of(result.search_stop_reason), result.search_evaluations);
   if (result.sensitivity_evaluations > 0)
     text += fmt::format(", and {} more around the best one", result.sensitivity_evaluations);
   if (const std::size_t others = formats::evaluations_of_choices(report); others > 0)
     text += fmt::format(" ({} further ones under other modelling choices are not counted)", others);
-  return text +
-         fmt::format(": {}.{}\n", to_text(formats::counts_of(result.archive)),
-                     late_gain_text(end_of(result.search_stop_reason, result.archive, result.search_evaluations)));
+  text += fmt::format(": {}.{}\n", to_text(formats::counts_of(result.archive)),
+                      late_gain_text(end_of(result.search_stop_reason, result.archive, result.search_evaluations)));
+  return {.id = "convergence", .title = "The search", .blocks = {Lines{left_out_text(report) + text}}};
+}
+
+}  // namespace
+
+Document document_of(const formats::SizeReport& report) {
+  Document out{.title = fmt::format("{}: {}", report.study.name, objective_text(report.study.objectives.front())),
+               .verdict = verdict_of(report),
+               .cautions = interruption_of(report)};
+  const auto* evaluated = report.best ? std::get_if<EvaluatedDesign>(report.best) : nullptr;
+  if (report.result.best) {
+    if (evaluated != nullptr)
+      std::ranges::move(cautions_of_design(report, *evaluated), std::back_inserter(out.cautions));
+    out.sections.push_back({.id = "design",
+                            .title = report.result.feasible ? "Best design" : "The least infeasible design",
+                            .blocks = {variables_table(report), Lines{objective_lines(report)}}});
+    out.sections.push_back(limits_section(report));
+    if (evaluated != nullptr) out.sections.push_back(opening_section(evaluated->view()));
+    if (report.built) {
+      std::ranges::move(builds_sections(*report.built), std::back_inserter(out.sections));
+      if (std::vector<std::string> shortfalls = shortfalls_of(*report.built); !shortfalls.empty()) {
+        shortfalls.back() +=
+            "The search judged every design by too few builds for this: more of them (\"draws\" of the study's spread) "
+            "are the cure.\n";
+        std::ranges::move(shortfalls, std::back_inserter(out.cautions));
+      }
+    }
+    out.sections.push_back(relaxations_section(report));
+    out.sections.push_back(steps_section(report));
+    if (evaluated != nullptr) out.sections.push_back(quantities_section(evaluated->view(), report.study.quantities));
+    out.sections.push_back(assumptions_section(report));
+    if (evaluated != nullptr) {
+      const simulation::DesignView view = evaluated->view();
+      out.sections.push_back(correction_section(
+          simulation::correction_reach(view.assembly.model, view.performance.cold, view.point.current)));
+    }
+  }
+  out.sections.push_back(search_section(report));
+  return out;
 }
 
 }  // namespace coilwright::report

@@ -118,8 +118,8 @@ class Evaluate(ProgramTest):
                                   ("mass_g", 68, 0.5), ("current_limit_A", 1.4, 1e-12)):
             self.assertAlmostEqual(got[key], value, delta=delta, msg=key)
         # The table says so in words, with fewer digits.
-        lines = run("evaluate", PAPER_FINGER, "--current-A", "1.4").stdout.splitlines()
-        printed = {line.split()[0]: line.split()[1] for line in lines[lines.index("") + 1:] if line[:1].islower()}
+        table = run("evaluate", PAPER_FINGER, "--current-A", "1.4").stdout.split("\nAll quantities\n")[1].split("\n\n")[0]
+        printed = {line.split()[0]: line.split()[1] for line in table.splitlines()}
         for key in PROMISED:
             if key != "joint_angles_deg":
                 self.assertAlmostEqual(float(printed[key]), got[key], delta=1e-5 * abs(got[key]), msg=key)  # six digits
@@ -185,7 +185,7 @@ class Evaluate(ProgramTest):
         self.assert_refused(("evaluate", PAPER_FINGER, "--current-A", "1", "--set", "current_share_3=0.2"),
                             "current_share_3=0.2: must be of a coil that there is: the layout has 2")
         text = run("evaluate", PAPER_FINGER, "--current-A", "1", "--set", "current_share_2=0.2").stdout
-        self.assertTrue(text.startswith("With 1 and 0.2 A in the coils from base to tip: each coil needs a driver of its own.\n"))
+        self.assertRegex(text, r"^With 1 and 0\.2 A in the coils from base to tip and a duty of 1: .*Each coil needs a driver of its own\.")
 
     def test_duty_changes_temperatures_only(self):
         held = self.evaluate(PAPER_FINGER, "--current-A", "1.05")

@@ -39,7 +39,7 @@ class ShutJoints(ProgramTest):
                     followed = self.evaluated(keys, current)
                     self.assertNotRegex(followed, MIND)
                     for quantity, value in {"rest_angle_deg": rest, "stroke_deg": stroke}.items():
-                        line = re.search(rf"^{quantity} +([-\d.e+]+)", followed, re.M)
+                        line = re.search(rf"^ *{quantity} +([-\d.e+]+)", followed, re.M)
                         self.assertAlmostEqual(float(line[1]), float(value), delta=0.006 * abs(float(value)))
 
     def test_a_study_can_ask_for_joints_that_open(self):

@@ -48,8 +48,8 @@ class Uses(ProgramTest):
         text = run("yield", "study.json", "finger.json", "--builds", "50", "--quiet", cwd=self.folder).stdout
         self.assertIn("builds by fresh dice keep every limit\n"
                       "  in every use, its worst: thermal_load; all else in one use of each build, by dice\n", text)
-        self.assertRegex(text, r"\nthermal_load .*\) in every use\n")
-        self.assertRegex(text, r"\nMIND: thermal_load <= 0\.92 is kept in every use by ")
+        self.assertRegex(text, r"\n  thermal_load .*\) in every use\n")
+        self.assertRegex(text, r"^MIND: thermal_load <= 0\.92 is kept in every use by ")
         write_study(self, **{**HOT, "constraints": [{"quantity": "p95_thermal_load", "at_most": 9}]}, spread={**PARTS, **ROOM})
         text = run("size", "study.json", "--out", "out", "--report", cwd=self.folder).stdout
         self.assertIn("  95 % of fingers keep this in every use: p95_thermal_load\n", text)

@@ -20,7 +20,7 @@ Page hostile_page() {
   Figure figure{
       .id = "f", .title = hostile, .description = hostile, .content = text::Json::object({{"title", hostile}})};
   figure.table = {.header = {hostile}, .rows = {{hostile}}};
-  page.sections.push_back({.id = "s", .title = hostile, .blocks = {Paragraph{hostile}, Listing{hostile}, figure}});
+  page.sections.push_back({.id = "s", .title = hostile, .blocks = {Lines{hostile}, Lines{hostile}, figure}});
   page.data.push_back({.id = "d", .json = text::Json::object({{"name", hostile}}).text()});
   return page;
 }

@@ -30,7 +30,7 @@ def test_size_writes_the_bytes_of_the_program(program, tmp_path):
     assert found.best == cw.Actuator.load(tmp_path / "there/actuator.json")
     speed = cw.evaluate(found.best).peak_bending_speed_deg_s
     assert speed == found.to_dict()["best"]["objectives"]["peak_bending_speed_deg_s"]
-    assert "peak_bending_speed_deg_s" in found.text and found._repr_html_().startswith("<pre>")
+    assert "peak_bending_speed_deg_s" in found.text and found._repr_html_().startswith("<p>")
 
 
 def test_pareto_writes_the_bytes_of_the_program_on_any_number_of_threads(program, tmp_path):

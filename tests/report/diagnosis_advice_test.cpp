@@ -28,9 +28,8 @@ TEST(DiagnosisAdvice, SaysWhichNumbersToMeasure) {
               HasSubstr("The declared numbers are off, most of all /links/1/mass_kg (3.0 tolerances): moved further "
                         "than their tolerances make likely, they explain these data, and no missing effect does so "
                         "decisively better.\n"));
-  EXPECT_THAT(text,
-              HasSubstr("that fewer than 0.01 % of the\n  rigs built to their tolerances are as far off or further "
-                        "(below 1 %: they are off, or an effect is missing).\n"));
+  EXPECT_THAT(text, HasSubstr("that fewer than 0.01 % of the rigs built to their tolerances are as far off or further "
+                              "(below 1 %: they are off, or an effect is missing).\n"));
   EXPECT_THAT(text, HasSubstr("What to do next\n"
                               "  Weigh or measure /links/1/mass_kg (declared 0.02, these data say 0.0185), correct the "
                               "actuator file and diagnose again.\n"
@@ -71,9 +70,10 @@ TEST(DiagnosisAdvice, SaysHowToSeeAnEffectWithoutTheModel) {
 TEST(DiagnosisAdvice, NamesTheCommandsThatTakeTheActuator) {
   const Diagnosis diagnosis = example();
   formats::DiagnosisReport report = report_of(diagnosis);
-  EXPECT_THAT(to_text(report), HasSubstr("with actuator.json: evaluate and simulate take it.\n"));
+  EXPECT_THAT(to_text(document_of(report)), HasSubstr("with actuator.json: evaluate and simulate take it.\n"));
   report.is_design = true;
-  EXPECT_THAT(to_text(report), HasSubstr("with actuator.json: evaluate, simulate and the studies of size take it.\n"));
+  EXPECT_THAT(to_text(document_of(report)),
+              HasSubstr("with actuator.json: evaluate, simulate and the studies of size take it.\n"));
 }
 
 TEST(DiagnosisAdvice, WarnsOfNumbersFromAFitThatDoesNotReachTheNoise) {
@@ -118,7 +118,7 @@ TEST(DiagnosisAdvice, DoesNotSendOnToCommandsThatRefuseTheActuator) {
   formats::DiagnosisReport report = report_of(diagnosis);
   report.corrected_actuator = "corrected_actuator.json";
   report.refused = {"actuator.json: /magnet: must be less; got more", "corrected_actuator.json: the same"};
-  const std::string text = to_text(report);
+  const std::string text = to_text(document_of(report));
   EXPECT_THAT(text, HasSubstr("\nBut it needs a number that no actuator has, and the other commands refuse the file: "
                               "actuator.json: /magnet: must be less; got more.\n"));
   EXPECT_THAT(text,
@@ -135,7 +135,8 @@ TEST(DiagnosisAdvice, BeginsWithRunsThatDoNotAnswerTheirInput) {
   diagnosis.warnings = diagnosis.unanswered_runs;
   diagnosis.far_first_pose = std::nullopt;
   const std::string text = text_of(diagnosis);
-  EXPECT_THAT(text, HasSubstr("is noise.\nCHECK THE RECORDS first. a.csv: keeps within little.\nAlike in b.csv.\n"));
+  EXPECT_THAT(text,
+              HasSubstr("is noise.\n\nCHECK THE RECORDS first. a.csv: keeps within little.\n\nAlike in b.csv.\n"));
   EXPECT_THAT(text, Not(HasSubstr("keeps within less")));  // one text is enough; the others are in diagnosis.json
   EXPECT_THAT(text, HasSubstr("What to do next\n  Look at the film and the wiring of a.csv, b.csv. Where no current "
                               "flowed, leave the run out, or end its record before that, and diagnose again, before "

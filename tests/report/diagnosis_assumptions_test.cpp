@@ -21,7 +21,7 @@ TEST(DiagnosisAssumptions, SaysWhatTolerancesWereWeighedAgainst) {
   EXPECT_THAT(
       text_of(diagnosis),
       HasSubstr("    What is missing in the model is far larger than the noise: tolerances were weighed against it, "
-                "as if the\n    noise were 751 times as large. Otherwise these numbers would take up what they can "
+                "as if the noise were 751 times as large. Otherwise these numbers would take up what they can "
                 "of it.\n"));
 }
 
@@ -33,13 +33,12 @@ TEST(DiagnosisAssumptions, SaysOfFacesThatTouchNowhereHowFarTheyAreOffAtLeast) {
                         .idle_from = -7.85 * degree}};
   const std::string text = text_of(diagnosis);
   EXPECT_THAT(
-      text,
-      HasSubstr("declared  tolerance       moved to  tolerances moved\n"
-                "    face_closing_deg         4  1 (default)  below -7.85             -11.9\n"
-                "    below, above: there the number changes nothing in these records (faces that touch "
-                "nowhere). It has moved\n"
-                "    that far at least; the records cannot say how much further. actuator.json has it at -41, as if "
-                "there were\n    no faces.\n"));
+      text, HasSubstr("declared  tolerance       moved to  tolerances moved  95 % interval\n"
+                      "    face_closing_deg         4  1 (default)  below -7.85             -11.9\n"
+                      "    below, above: there the number changes nothing in these records (faces that touch "
+                      "nowhere). It has moved "
+                      "that far at least; the records cannot say how much further. actuator.json has it at -41, as if "
+                      "there were no faces.\n"));
   EXPECT_THAT(text, HasSubstr("declared numbers had to move far, in tolerances: face_closing_deg by 11.9."));
   EXPECT_THAT(text, HasSubstr("What to do next\n"
                               "  Close a joint of the rig by hand, and see where its faces touch: face_closing_deg is "
@@ -48,7 +47,7 @@ TEST(DiagnosisAssumptions, SaysOfFacesThatTouchNowhereHowFarTheyAreOffAtLeast) {
   EXPECT_THAT(text, Not(HasSubstr("Weigh or measure")));
   formats::DiagnosisReport of_a_design = report_of(diagnosis);
   of_a_design.is_design = true;
-  EXPECT_THAT(to_text(of_a_design), HasSubstr("no contact down to -7.85.\n"));
+  EXPECT_THAT(to_text(document_of(of_a_design)), HasSubstr("no contact down to -7.85.\n"));
 }
 
 TEST(DiagnosisAssumptions, ExplainsTheNamesOfDifferences) {
@@ -65,7 +64,8 @@ TEST(DiagnosisAssumptions, NamesTheRunsThatTheToolHeldOut) {
   const Diagnosis diagnosis = example();
   formats::DiagnosisReport report = report_of(diagnosis);
   report.held_out = {"b.csv", "f.csv"};
-  EXPECT_THAT(to_text(report), HasSubstr("Chosen for that by the tool, because the set names none: b.csv, f.csv\n"));
+  EXPECT_THAT(to_text(document_of(report)),
+              HasSubstr("Chosen for that by the tool, because the set names none: b.csv, f.csv\n"));
 }
 
 }  // namespace

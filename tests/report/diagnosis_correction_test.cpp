@@ -16,7 +16,7 @@ TEST(DiagnosisCorrection, SaysWhatATorqueWithoutANameIsAndWhereItHolds) {
   const Diagnosis diagnosis = corrected_example();
   formats::DiagnosisReport report = report_of(diagnosis);
   report.corrected_actuator = "corrected_actuator.json";
-  const std::string text = to_text(report);
+  const std::string text = to_text(document_of(report));
   EXPECT_THAT(text, HasSubstr(R"(
   angle, deg  as declared  fitted anew  with effects  corrected
     mean              2.9          1.1          0.24        0.2
@@ -25,8 +25,7 @@ TEST(DiagnosisCorrection, SaysWhatATorqueWithoutANameIsAndWhereItHolds) {
 )"));
   EXPECT_THAT(text, HasSubstr(R"(
 A torque without a name
-  A smooth joint torque over angle and rate takes away 71 % of the squared error above the noise on runs that
-  were left out in turn. Nobody knows what it is: it serves until somebody can name it.
+  A smooth joint torque over angle and rate takes away 71 % of the squared error above the noise on runs that were left out in turn. Nobody knows what it is: it serves until somebody can name it.
   It holds for angle from -5 deg to 40 deg, rate from -90 deg/s to 90 deg/s, and fades beyond.
   It is largest, 0.3 Nmm at angle 40 deg, rate -90 deg/s, and smallest, -0.25 Nmm at angle 40 deg, rate 90 deg/s.
   It is a function of angle times a function of rate (to 97 %).
@@ -40,7 +39,7 @@ TEST(DiagnosisCorrection, AdvisesAgainstATorqueThatMakesWhatNoFitHasSeenWorse) {
   diagnosis.validate_errors.front().corrected = degrees(0.3, 0.4, 1.5);
   formats::DiagnosisReport report = report_of(diagnosis);
   report.corrected_actuator = "corrected_actuator.json";
-  const std::string text = to_text(report);
+  const std::string text = to_text(document_of(report));
   EXPECT_THAT(text, HasSubstr("  But on the runs that no fit has seen the error of the angle rises with it from 0.3 to "
                               "0.4 deg (rmse).\n"
                               "  Do not use corrected_actuator.json, which has it, before a run of that kind is among "

@@ -46,7 +46,7 @@ TEST(DiagnosisNumbersOff, SayWhichOneIsOffAndToWeighIt) {
           "tolerances away;\n"
           "    the model gains 12.5 by that\n"
           "  A gain of 6 is odds of 20 to 1. The numbers that moved, above, are those of a fit that holds each by "
-          "its\n  tolerance: there the one that is off passes what it lacks to those beside it.\n"));
+          "its tolerance: there the one that is off passes what it lacks to those beside it.\n"));
   EXPECT_THAT(text, HasSubstr("(above 1 %: taken together that may be chance, though the one that is off is none).\n"));
   EXPECT_THAT(text, HasSubstr("What to do next\n"
                               "  Weigh or measure /links/1/mass_kg (declared 0.0225, these data say 0.02), correct the "

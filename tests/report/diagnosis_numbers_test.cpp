@@ -38,7 +38,7 @@ TEST(DiagnosisNumbers, SaysOfOneWithManyOptimaThatItsIntervalIsCoarse) {
   EXPECT_THAT(text_of(diagnosis),
               HasSubstr("    torque_Nmm  0.61  0.58 to 0.64 (95 %)\n"
                         "    torque_Nmm fits about as well at other values, apart from each other: its interval is "
-                        "coarse. Measure it\n    at the rig if a design rests on it.\n"));
+                        "coarse. Measure it at the rig if a design rests on it.\n"));
 }
 
 TEST(DiagnosisNumbers, HasAsManyDigitsAsAnIntervalBears) {

@@ -15,6 +15,12 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 // Beyond the five most probable only the reported one and that of no effect.
+std::string compared_text(const Diagnosis& diagnosis) {
+  Section section{.id = "rivals", .title = "Rivals"};
+  add_compared(section, diagnosis);
+  return section.blocks.empty() ? "" : to_text(section);
+}
+
 TEST(DiagnosisRivals, PutsTheHypothesesComparedIntoColumns) {
   Diagnosis diagnosis = example();
   diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
@@ -73,7 +79,7 @@ TEST(DiagnosisRivals, SaysWhatIsHintedAtAndWhatThatWouldDo) {
   diagnosis.hinted = {{.kind = &dry_friction, .gain = -1.52, .number = "joint_stiffness_Nmm_rad", .wider = 2.46}};
   EXPECT_THAT(rivals_text(diagnosis),
               HasSubstr("  One more effect may be there that these data hint at, too weakly to be reported. All "
-                        "intervals have in them\n  what it would do:\n"
+                        "intervals have in them what it would do:\n"
                         "    dry_friction: the interval of joint_stiffness_Nmm_rad is 2.5 times wider for "
                         "its sake\n"));
 }

@@ -21,7 +21,9 @@ TEST(DiagnosisText, SaysInAMinuteWhatWasAssumedAndFoundAndHowSureThatIs) {
                                .remaining_bits = 0.25,
                                .experiment = {}};
   diagnosis.nominal = {
-      {.estimate = {.key = "force_curve", .value = -0.015}, .declared = 0.0, .tolerance = 0.03},
+      {.estimate = {.key = "force_curve", .value = -0.015, .lower = -0.045, .upper = 0.015},
+       .declared = 0.0,
+       .tolerance = 0.03},
       {.estimate = {.key = "/measured/tip_segment_mass_g", .value = 0.0205, .lower = 0.02, .upper = 0.021},
        .declared = 0.02,
        .tolerance = 0.0005,
@@ -49,12 +51,11 @@ What was assumed
   Runs kept from the fit, for the errors only: b.csv
   Numbers fitted freely:
     joint_stiffness_Nmm_rad  12.4  12.3 to 12.5 (95 %)
-    Their intervals, and those of the declared numbers, contain what each of the effects that these data cannot
-    tell apart makes of them; the values are those with the effects reported.
+    Their intervals, and those of the declared numbers, contain what each of the effects that these data cannot tell apart makes of them; the values are those with the effects reported.
   2 declared numbers could move, each at the price of its tolerance (one standard deviation); in the fit with the effects found:
-                                  declared  tolerance       moved to  tolerances moved
-    /measured/tip_segment_mass_g        20  0.5                 20.5              +1.0
-    force_curve                          0  0.03 (default)    -0.015              -0.5
+                                  declared  tolerance       moved to  tolerances moved  95 % interval
+    /measured/tip_segment_mass_g        20  0.5                 20.5              +1.0  20 to 21 (95 %)
+    force_curve                          0  0.03 (default)    -0.015              -0.5  -0.045 to 0.015 (95 %)
     The numbers of force_curve are a smooth error of the shape of the torque over the angle.
     A name with slashes is a place in the actuator file; its lists count from 0, links from the base.
   Taken as exact (if one of them is wrong, the numbers found have taken its error up):
@@ -63,8 +64,7 @@ What was assumed
     bending_angle_deg: 0.3 deg, given in 1 run
     torque_Nmm: 0.01 to 0.02 Nmm, measured at rest for 1 run, estimated in 1 run
       white, as at rest
-  Taken as outliers and left out, because they stand apart from their neighbours as no motion does
-  (all of them in diagnosis.json):
+  Taken as outliers and left out, because they stand apart from their neighbours as no motion does (all of them in diagnosis.json):
     a.csv, bending_angle_deg: 6 samples at 0.5, 0.75, 1, 1.25, 1.5, ... s
     b.csv, bending_angle_deg: 1 sample at 0.25 s (left out of the errors)
 
@@ -73,8 +73,7 @@ What was found
     torque_Nmm  0.61  0.58 to 0.64 (95 %)
     there with a probability of 0.938
   Left over: 1 times the noise, 2.082 without effects (rms, fit runs). It is noise with a probability of 0.875.
-  Without any effect the declared numbers would have to be so far off, all together, that 25 % of the
-  rigs built to their tolerances are as far off or further (above 1 %: that may be chance).
+  Without any effect the declared numbers would have to be so far off, all together, that 25 % of the rigs built to their tolerances are as far off or further (above 1 %: that may be chance).
 
 Errors on the runs that no fit has seen
   angle, deg  as declared  fitted anew  with effects
@@ -91,9 +90,7 @@ How sure, and what else it could be
     dry_friction            0.938         1            0.875  reported
     end_stop                0.062     1.041  less than 0.001
     no effect     less than 0.001     2.082  less than 0.001
-  probability: given that one of those that were fitted is true. residual: rms on the fit runs
-  over the noise, 1 is noise alone. leaves noise: the probability that what is lacking is less than a tenth
-  of the noise.
+  probability: given that one of those that were fitted is true. residual: rms on the fit runs over the noise, 1 is noise alone. leaves noise: the probability that what is lacking is less than a tenth of the noise.
 
 What to do next
   Record this run (hot_hold): 1.05 A for 60 s: they part when hot; of 1.5 bits that are open between the explanations it leaves 0.25 on average, or less.
@@ -123,7 +120,7 @@ TEST(DiagnosisText, SaysFirstThatTheErrorRisesOnRunsThatNoFitHasSeen) {
   Diagnosis diagnosis = example();
   diagnosis.validate_errors.front().after = degrees(1.3, 1.6, 5.5);
   EXPECT_THAT(text_of(diagnosis),
-              HasSubstr("noise.\nOn the runs that no fit has seen the error of the angle rises from 1.4 without the "
+              HasSubstr("noise.\n\nOn the runs that no fit has seen the error of the angle rises from 1.4 without the "
                         "effects to 1.6 deg with them (rmse).\n"));
   EXPECT_THAT(text_of(diagnosis), HasSubstr("What to do next\n  Fit a run of the kind that was kept from the fit"));
   // Less than without them, and more than as declared.
@@ -143,9 +140,10 @@ TEST(DiagnosisText, SaysFirstThatTheErrorRisesOnRunsThatNoFitHasSeen) {
 TEST(DiagnosisText, SaysFirstThatRunsThatNoFitHasSeenAreNotAtTheNoise) {
   Diagnosis diagnosis = example();
   diagnosis.validate_errors.front().after = degrees(0.3, 0.4, 1.5);
-  EXPECT_THAT(text_of(diagnosis),
-              HasSubstr("noise.\nBut on the runs that no fit has seen the error of the angle is 0.4 deg (rmse), where "
-                        "noise alone makes 0.3 deg: they show something that the fitted runs do not.\n"));
+  EXPECT_THAT(
+      text_of(diagnosis),
+      HasSubstr("noise.\n\nBut on the runs that no fit has seen the error of the angle is 0.4 deg (rmse), where "
+                "noise alone makes 0.3 deg: they show something that the fitted runs do not.\n"));
   EXPECT_THAT(text_of(diagnosis), HasSubstr("What to do next\n  Fit a run of the kind that was kept from the fit"));
   // Where structure remains, the verdict says it.
   diagnosis.verdict = Verdict::partly_explained;
@@ -182,8 +180,8 @@ TEST(DiagnosisText, SaysWhetherWhatIsLeftIsNoiseWhereNoEffectIsReported) {
 TEST(DiagnosisText, DoubtsNoiseThatIsLargerThanItWasTakenToBe) {
   const std::string doubt =
       "  That is more than the noise is taken to be (above): it is noise only where that level is too low. A still "
-      "run\n"
-      "  would tell.\n";
+      "run "
+      "would tell.\n";
   Diagnosis diagnosis = example();
   diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
   diagnosis.odds.hypotheses = {weighed({&dry_friction}, 48000.0, 1.0, 0.75), weighed({}, 96000.0, 0.0)};
@@ -248,7 +246,7 @@ TEST(DiagnosisText, SaysInItsFirstLinesThatDeclaredNumbersMovedFar) {
       {.estimate = {.key = "face_closing_deg", .value = -3.4 * degree}, .declared = 4.0 * degree, .tolerance = degree}};
   EXPECT_THAT(
       text_of(diagnosis),
-      HasSubstr("with it, what is left over is noise.\nEven so declared numbers had to move far, in tolerances: "
+      HasSubstr("with it, what is left over is noise.\n\nEven so declared numbers had to move far, in tolerances: "
                 "face_closing_deg by 7.4. Measure them before you rely on this model.\n"));
   diagnosis.nominal.front().estimate.value = 1.5 * degree;
   EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("had to move far")));
@@ -272,7 +270,7 @@ TEST(DiagnosisText, BlamesNothingWhereTheCameraMayHaveMadeWhatIsLeft) {
       {.channel = "bending_angle_deg", .colour = "taken as white: there is no still run", .colour_unknown = true}};
   EXPECT_THAT(text_of(diagnosis),
               HasSubstr("unexplained\n\nSomething is left over that none of the known effects explains. Whether the "
-                        "finger or the camera makes it,\nthese records cannot tell: none shows the noise of the camera "
+                        "finger or the camera makes it, these records cannot tell: none shows the noise of the camera "
                         "by itself.\n"));
   EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("lacks something")));
   // More than colour makes, or a channel whose own noise is known.

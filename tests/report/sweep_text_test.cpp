@@ -26,12 +26,17 @@ TEST(SweepText, NamesADesignOnceAndSaysWhatIsInTheWay) {
                                           return other;
                                         }()}};
   EXPECT_EQ(
-      to_text(formats::SweepReport{.study = asked, .designs = 9, .evaluated = 7, .ok = 2, .leaders = leaders}),
-      "configuration  current_A  wire_gauge_AWG  grasp_force_N  best for\n"
-      "            D        0.4              30           1.25  current_A, grasp_force_N\n"
-      "            A        0.8              26            2.5  none is feasible; the nearest: mass_g <= 64 violated "
-      "by 16 g\n"
-      "\n7 of 9 designs evaluated; 2 keep every limit.\n");
+      to_text(document_of({.study = asked, .designs = 9, .evaluated = 7, .ok = 2, .leaders = leaders})),
+      "by hand: minimise current_A, maximise grasp_force_N\n"
+      "\nThe smallest current_A is 0.4: configuration D, current_A 0.4, wire_gauge_AWG 30. The largest "
+      "grasp_force_N is 1.25: configuration D, current_A 0.4, wire_gauge_AWG 30. 7 of 9 designs evaluated; 2 keep "
+      "every limit.\n"
+      "\nINTERRUPTED: the run may find better designs; --resume goes on.\n"
+      "\nThe best designs\n"
+      "  configuration  current_A  wire_gauge_AWG  grasp_force_N  best for\n"
+      "              D        0.4              30           1.25  current_A, grasp_force_N\n"
+      "              A        0.8              26            2.5  none is feasible; the nearest: mass_g <= 64 "
+      "violated by 16 g\n");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace coilwright::testing {
 
 /// The summary of a diagnosis made by hand.
 inline std::string text_of(const measurement::Diagnosis& diagnosis) {
-  return report::to_text(report_of(diagnosis));
+  return report::to_text(report::document_of(report_of(diagnosis)));
 }
 
 }  // namespace coilwright::testing

@@ -53,29 +53,11 @@ struct Chart {
 /// unchanged. A table of more than 400 rows shows an even selection of them and states that.
 [[nodiscard]] Figure figure_of(const Chart& chart);
 
-/// One value with a name.
-struct Bar {
-  std::string label;
-  double value{};
-  std::string group;  ///< the group that the legend names, with a colour of its own
-};
-
-/// Values side by side: bars from 0.
-struct BarChart {
-  std::string id;
-  std::string title;
-  std::string description;
-  std::string value_title;  ///< with its unit
-  std::string label_title;
-  std::vector<Bar> bars{};  ///< in their order on the page
-  /// Draws a symbol at each value instead of a bar, with one shape for each group, on an axis that need not begin at 0.
-  bool symbols{};
-};
+using report::Bar;
+using report::BarChart;
+using report::short_number;
 
 /// The bars as Vega-Lite, and as a table.
 [[nodiscard]] Figure figure_of(const BarChart& chart);
-
-/// A number for people, with four digits: "12.35".
-[[nodiscard]] std::string short_number(double value);
 
 }  // namespace coilwright::page

@@ -5,16 +5,14 @@
 #include <variant>
 #include <vector>
 
+#include "coilwright/report/simulation/document.hpp"
 #include "coilwright/text/json/json.hpp"
 
 namespace coilwright::page {
 
-/// Texts in rows and columns, formatted for reading.
-struct Table {
-  std::vector<std::string> header;
-  std::vector<std::vector<std::string>> rows{};  ///< each as long as the header
-  std::string note{};                            ///< remark on rows that are not shown; empty: all are
-};
+using report::Lines;
+using report::Table;
+using report::TableBlock;
 
 /// A picture drawn by the program: a complete svg element, which takes its colours from the page's style.
 struct Drawing {
@@ -36,28 +34,12 @@ struct Figure {
   Table table{};                                     ///< numbers of the picture; empty if a table beside it has them
 };
 
-/// Plain text between figures.
-struct Paragraph {
-  std::string text;
-};
-
-/// Lines that are aligned by spaces and shown unchanged.
-struct Listing {
-  std::string text;
-};
-
-/// A table without a picture.
-struct TableBlock {
-  std::string caption;
-  Table table;
-};
-
 /// A place that the page's script fills. Its element has this id and begins with `html`, which is written unchanged.
 struct Widget {
   std::string html;
 };
 
-using Block = std::variant<Paragraph, Listing, TableBlock, Figure, Widget>;
+using Block = std::variant<Lines, TableBlock, Figure, Widget>;
 
 /// The content under one heading.
 struct Section {
@@ -76,7 +58,7 @@ struct DataBlock {
 struct Page {
   std::string title;
   std::string verdict;                  ///< one sentence or a few, shown first
-  std::vector<std::string> cautions{};  ///< remarks that a reader must see beside it: "BEWARE: ...", each a paragraph
+  std::vector<std::string> cautions{};  ///< what a reader must see beside it, as the text of Lines
   std::string origin;                   ///< program, version, command: one line
   std::vector<std::string> inputs{};    ///< the files that it is made of, with their hashes, a line each
   std::vector<Section> sections{};

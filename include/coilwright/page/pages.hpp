@@ -3,15 +3,13 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "coilwright/page/page.hpp"
-#include "coilwright/simulation/choice_effects.hpp"
 #include "coilwright/simulation/evaluate.hpp"
 #include "coilwright/sizing/study/study.hpp"
-#include "coilwright/systems/validation/paper_comparison.hpp"
 
 namespace coilwright::page {
 
@@ -29,15 +27,12 @@ struct PageInputs {
 /// Throws InputError if the folder has no results of a kind that has a page, or if one of its files cannot be read.
 [[nodiscard]] Page page_of(const std::filesystem::path& folder, const PageInputs& inputs);
 
-/// The page of one design at its operating point: its quantities, the limits of its parts and the assumptions, drawn
-/// and simulated as in the page of a `size`. `effects` are simulation::choice_effects of the design there, `name` is
-/// the actuator's, `made_by` program and version.
-[[nodiscard]] Page evaluation_page(const simulation::EvaluatedDesign& evaluated,
-                                   std::span<const simulation::ChoiceEffect> effects, std::string_view name,
-                                   std::string_view made_by);
+/// The page of one design at its operating point: `document`, what `evaluate` says of it (report::document_of), and the
+/// design drawn and simulated as in the page of a `size`. `name` is the actuator's, `made_by` program and version.
+[[nodiscard]] Page evaluation_page(const simulation::EvaluatedDesign& evaluated, const report::Document& document,
+                                   std::string_view name, std::string_view made_by);
 
-/// The page that compares the model with the figures of the paper: every difference with its band. `made_by` is program
-/// and version.
-[[nodiscard]] Page comparison_page(std::span<const systems::validation::Comparison> rows, std::string_view made_by);
+/// What a document says, as a page that says where it is from: `origin`, and the files that it is made of.
+[[nodiscard]] Page page_of(const report::Document& document, std::string origin, std::vector<std::string> inputs = {});
 
 }  // namespace coilwright::page

@@ -1,17 +1,12 @@
 #pragma once
 
-#include <string>
-
 #include "coilwright/formats/study/size_json.hpp"
+#include "coilwright/report/simulation/document.hpp"
 
 namespace coilwright::report {
 
-/// The stop reason of a run that was interrupted after its search had ended.
-inline constexpr const char* interrupted_after_search =
-    "INTERRUPTED when the search was over: what is missing below was not looked at; --resume goes on.";
-
-/// The results of `size` for a person: the best design, the limits that hold it back and the effect of a step of each
-/// variable.
-[[nodiscard]] std::string to_text(const formats::SizeReport& report);
+/// What `size` says: the best design, the limits that hold it back, what builds make of it, the effect of a step of
+/// each variable, and what it rests on.
+[[nodiscard]] Document document_of(const formats::SizeReport& report);
 
 }  // namespace coilwright::report

@@ -37,6 +37,11 @@ struct PartLimit {
 /// from the torques of every pair of bodies.
 [[nodiscard]] std::vector<PartLimit> told(std::vector<PartLimit> limits, const DesignView& design);
 
+/// part_limits() of `design` for a text.
+[[nodiscard]] inline std::vector<PartLimit> told_part_limits(const DesignView& design) {
+  return told(part_limits(design), design);
+}
+
 /// The limits that the design breaks. Conditional ones are included only if no other one of the same kind, heat or
 /// field, is broken.
 [[nodiscard]] std::vector<PartLimit> broken_part_limits(const DesignView& design);

@@ -15,19 +15,13 @@
 #include "cli/outputs.hpp"
 #include "cli/programs.hpp"
 #include "cli/report_option.hpp"
-#include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
-#include "coilwright/report/simulation/coil_currents_text.hpp"
-#include "coilwright/report/simulation/correction_text.hpp"
-#include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
-#include "coilwright/report/simulation/shut_joints_text.hpp"
 #include "coilwright/simulation/choice_effects.hpp"
 #include "coilwright/simulation/correction_reach.hpp"
 #include "coilwright/simulation/part_limits.hpp"
 #include "coilwright/simulation/performance.hpp"
-#include "coilwright/simulation/pressed_joints.hpp"
 #include "coilwright/text/input_error.hpp"
 
 namespace coilwright::cli {
@@ -67,26 +61,23 @@ void evaluate(const actuator::Design& design, const formats::ActuatorFile& file,
     throw no_performance(options.actuator.file, *why);
   const simulation::DesignView view{
       .design = design, .assembly = assembly, .point = point, .performance = std::get<simulation::Performance>(result)};
-  const std::vector<simulation::PartLimit> limits = told(simulation::part_limits(view), view);
   const std::vector<simulation::ChoiceEffect> effects = simulation::choice_effects(view);
+  if (options.page || !options.json) {
+    const report::Document document = report::document_of(view, effects);
+    if (options.page)
+      write_page({.design = design, .assembly = assembly, .point = point, .performance = view.performance}, document,
+                 file.name, *options.page, options.force);
+    if (!options.json) std::cout << report::to_text(document);
+  }
+  if (!options.json) return;
+  text::Json out = formats::to_json(view);
+  out.set("operating_point", formats::to_json(point));
+  out.set("part_limits", formats::to_json(simulation::told_part_limits(view)));
+  out.set("assumptions", formats::to_json(effects));
   const std::vector<simulation::CorrectionReach> reach =
       simulation::correction_reach(assembly.model, view.performance.cold, point.current);
-  if (options.page)
-    write_page({.design = design, .assembly = assembly, .point = point, .performance = view.performance}, effects,
-               file.name, *options.page, options.force);
-  if (options.json) {
-    text::Json out = formats::to_json(view);
-    out.set("operating_point", formats::to_json(point));
-    out.set("part_limits", formats::to_json(limits)).set("assumptions", formats::to_json(effects));
-    if (!reach.empty()) out.set("torque_correction", formats::to_json(reach));
-    std::cout << out.text();
-  } else {
-    if (!has_one_current(design))
-      std::cout << fmt::format("With {}: each coil needs a driver of its own.\n",
-                               report::coil_currents_text(design, point.current));
-    std::cout << report::to_text(limits) << report::opening_text(view) << report::doubts_text(design) << '\n'
-              << report::to_text(view) << report::to_text(view, effects) << report::to_text(reach);
-  }
+  if (!reach.empty()) out.set("torque_correction", formats::to_json(reach));
+  std::cout << out.text();
 }
 
 void evaluate(const actuator::Model& model, const formats::ActuatorFile& file, const EvaluateOptions& options,
@@ -99,15 +90,11 @@ void evaluate(const actuator::Model& model, const formats::ActuatorFile& file, c
   if (const auto* why = std::get_if<simulation::NoPerformance>(&result))
     throw no_performance(options.actuator.file, *why);
   const simulation::MotionSummary& motion = std::get<simulation::MotionSummary>(result);
-  const std::vector<simulation::CorrectionReach> reach = simulation::correction_reach(model, motion, point.current);
-  const std::vector<int> at_rest = simulation::pressed_joints(model, motion.rest_angles);
-  const std::vector<int> under_current = simulation::pressed_joints(model, motion.steady_angles);
   if (!options.json) {
-    if (const std::string text = simulation::pressed_joints_text(at_rest, under_current); !text.empty())
-      std::cout << fmt::format("MIND: {}.\n", text);
-    std::cout << report::to_text(motion, point.current) << report::to_text(reach);
+    std::cout << report::to_text(report::document_of(model, motion, point.current));
     return;
   }
+  const std::vector<simulation::CorrectionReach> reach = simulation::correction_reach(model, motion, point.current);
   text::Json out = formats::to_json(motion, point.current);
   if (!reach.empty()) out.set("torque_correction", formats::to_json(reach));
   std::cout << out.text();

@@ -33,10 +33,9 @@ void write_page(const page::Page& content, const std::filesystem::path& file, co
   out.commit();
 }
 
-void write_evaluation_page(const simulation::EvaluatedDesign& evaluated,
-                           const std::vector<simulation::ChoiceEffect>& effects, const std::string& name,
-                           const std::filesystem::path& file, bool force) {
-  write_page(page::evaluation_page(evaluated, effects, name, results::made_by()), file, {.force = force});
+void write_evaluation_page(const simulation::EvaluatedDesign& evaluated, const report::Document& document,
+                           const std::string& name, const std::filesystem::path& file, bool force) {
+  write_page(page::evaluation_page(evaluated, document, name, results::made_by()), file, {.force = force});
 }
 
 }  // namespace coilwright::cli

@@ -3,11 +3,10 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "coilwright/page/page.hpp"
-#include "coilwright/simulation/choice_effects.hpp"
-#include "coilwright/simulation/performance.hpp"
+#include "coilwright/report/simulation/document.hpp"
+#include "coilwright/simulation/evaluate.hpp"
 
 namespace coilwright::cli {
 
@@ -22,8 +21,7 @@ struct PageOutput {
 void write_page(const page::Page& content, const std::filesystem::path& file, const PageOutput& how = {});
 
 /// The page of an evaluation: what WriteEvaluationPage asks for.
-void write_evaluation_page(const simulation::EvaluatedDesign& evaluated,
-                           const std::vector<simulation::ChoiceEffect>& effects, const std::string& name,
-                           const std::filesystem::path& file, bool force);
+void write_evaluation_page(const simulation::EvaluatedDesign& evaluated, const report::Document& document,
+                           const std::string& name, const std::filesystem::path& file, bool force);
 
 }  // namespace coilwright::cli

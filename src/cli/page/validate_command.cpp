@@ -14,6 +14,7 @@
 #include "cli/page/page_output.hpp"
 #include "cli/report_option.hpp"
 #include "coilwright/page/pages.hpp"
+#include "coilwright/report/systems/comparison_text.hpp"
 #include "coilwright/results/page/page_file.hpp"
 #include "coilwright/systems/validation/paper_comparison.hpp"
 #include "coilwright/text/json/json.hpp"
@@ -38,16 +39,6 @@ Json as_json(const std::vector<Comparison>& rows, bool all_hold) {
   return Json::object({{"holds", all_hold}, {"rows", std::move(list)}});
 }
 
-std::string as_table(const std::vector<Comparison>& rows) {
-  std::string text = fmt::format("{:<42} {:>9} {:>9} {:>8} {:>15}    {:<32} {}\n", "quantity", "reference", "model",
-                                 "diff %", "band %", "reference from", "the difference");
-  for (const Comparison& row : rows)
-    text += fmt::format("{:<42} {:>9.4g} {:>9.4g} {:>+8.2f} {:>+6.2f} .. {:>+5.2f} {:>2} {:<32} {}\n", row.quantity,
-                        row.reference, row.model, 100.0 * (row.ratio() - 1.0), 100.0 * (row.band_low - 1.0),
-                        100.0 * (row.band_high - 1.0), row.holds() ? "" : "!!", row.source, row.because);
-  return text;
-}
-
 }  // namespace
 
 void add_validate_command(CLI::App& app, Outcome& outcome) {
@@ -66,11 +57,10 @@ void add_validate_command(CLI::App& app, Outcome& outcome) {
     require_writable({page->value_or("")});
     const std::vector<Comparison> rows = systems::validation::compare_with_paper();
     const auto outside = std::ranges::count_if(rows, [](const Comparison& row) { return !row.holds(); });
-    if (*page) write_page(page::comparison_page(rows, results::made_by()), **page, {.force = *force});
-    if (*json)
-      std::cout << as_json(rows, outside == 0).text();
-    else
-      std::cout << as_table(rows) << fmt::format("{} of {} within their bands\n", rows.size() - outside, rows.size());
+    const report::Document document = report::document_of(rows);
+    if (*page)
+      write_page(page::page_of(document, fmt::format("Page by {}.", results::made_by())), **page, {.force = *force});
+    std::cout << (*json ? as_json(rows, outside == 0).text() : report::to_text(document));
     if (outside > 0) outcome.code = ExitCode::failure;
   });
 }

@@ -59,16 +59,18 @@ ExitCode run_pareto(const StudyOptions& options, const PartOptions& part_options
   const std::vector<sizing::BrokenPartLimit> broken =
       sizing::broken_part_limits(problem.study(), sizing::evaluated_again(problem, result.front));
   const std::vector<sizing::Record> records = result.archive.records();
+  const report::Document document = report::document_of(study, result, broken);
   archive.write_results([&] {
-    formats::write_pareto(folder, study, result, broken);
+    formats::write_pareto(folder, study, result, broken, report::to_json(document));
     results::write_provenance(folder, input.provenance);
     remove_other_run(folder, "result.json");
     folder.commit("result.json");
   });
   archive.end(sizing::name_of(result.stop_reason), interruption, records);
   if (!part)
-    std::cout << (options.json ? formats::to_json(study, result, broken).text()
-                               : report::to_text(study, result, broken));
+    std::cout << (options.json
+                      ? formats::to_json(study, result, broken).set("summary", report::to_json(document)).text()
+                      : report::to_text(document));
   archive.require_written();
   if (interruption.requested()) return ExitCode::interrupted;
   if (part) return end_pareto_part(folder, *std::move(part), result);

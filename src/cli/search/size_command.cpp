@@ -20,7 +20,6 @@
 #include "cli/search/commands.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
 #include "coilwright/formats/study/result_files.hpp"
-#include "coilwright/report/simulation/correction_text.hpp"
 #include "coilwright/report/size_text.hpp"
 #include "coilwright/simulation/correction_reach.hpp"
 #include "coilwright/sizing/search/search.hpp"
@@ -104,22 +103,23 @@ ExitCode run_size(const StudyOptions& options, const PartOptions& part_options) 
   const sizing::AfterSearch after = after_search(problem, result, archive.study(), interruption, options.quiet);
   if (interruption.requested()) result.stop_reason = sizing::StopReason::interrupted;
   const formats::SizeReport answer = formats::size_report(problem, result, after);
+  const report::Document document = report::document_of(answer);
   archive.write_results([&] {
-    formats::write_size(folder, problem, answer);
+    formats::write_size(folder, problem, answer, report::to_json(document));
     results::write_provenance(folder, input.provenance);
     remove_other_run(folder, "result.json");
     folder.commit("result.json");
   });
   archive.end(sizing::name_of(result.stop_reason), interruption, result.archive.records());
-  const std::vector<simulation::CorrectionReach> reach = reach_of(after.best);
   if (part) {
     // merge says what came out.
   } else if (options.json) {
-    text::Json out = formats::to_json(answer);
-    if (!reach.empty()) out.set("torque_correction", formats::to_json(reach));
+    text::Json out = formats::to_json(answer).set("summary", report::to_json(document));
+    if (const std::vector<simulation::CorrectionReach> reach = reach_of(after.best); !reach.empty())
+      out.set("torque_correction", formats::to_json(reach));
     std::cout << out.text();
   } else {
-    std::cout << report::to_text(answer) << report::to_text(reach);
+    std::cout << report::to_text(document);
   }
   archive.require_written();
   if (interruption.requested()) return ExitCode::interrupted;

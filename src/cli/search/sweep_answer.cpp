@@ -46,6 +46,10 @@ formats::SweepReport SweepAnswer::report() const {
           .totals = summary_.totals().quantities};
 }
 
+text::Json SweepAnswer::json() const {
+  return formats::to_json(report()).set("summary", report::to_json(report::document_of(report())));
+}
+
 void SweepAnswer::write(text::OutputFolder& folder, const results::Provenance& provenance) const {
   const sizing::Study& study = problem_.study();
   if (request_.keep == sizing::Keep::front) {
@@ -53,12 +57,12 @@ void SweepAnswer::write(text::OutputFolder& folder, const results::Provenance& p
     for (const sizing::SweptDesign& design : summary_.front()) write_row(design);
   }
   formats::write_leaders(folder.open("best.csv"), study, best_);
-  folder.write("result.json", formats::to_json(report()).text());
+  folder.write("result.json", json().text());
   results::write_provenance(folder, provenance);
 }
 
-void SweepAnswer::print(bool json) const {
-  std::cout << (json ? formats::to_json(report()).text() : report::to_text(report()));
+void SweepAnswer::print(bool as_json) const {
+  std::cout << (as_json ? json().text() : report::to_text(report::document_of(report())));
 }
 
 ExitCode SweepAnswer::code() const {

@@ -31,11 +31,12 @@ class SweepAnswer {
 
   /// best.csv, result.json and provenance.json, with the rows that are known only now.
   void write(text::OutputFolder& folder, const results::Provenance& provenance) const;
-  void print(bool json) const;
+  void print(bool as_json) const;
   [[nodiscard]] ExitCode code() const;
 
  private:
   [[nodiscard]] formats::SweepReport report() const;
+  [[nodiscard]] text::Json json() const;  // with its summary
 
   const sizing::DesignProblem& problem_;
   SweepRequest request_;

@@ -108,7 +108,9 @@ ExitCode run_yield(const YieldCommandOptions& options) {
                                  .stop = interruption.token()};
   if (options.part.part) return run_yield_part(options, question, study, evaluated, how);
   const std::optional<sizing::Yield> yield = yield_with_progress(study, evaluated, how, options.quiet);
-  if (yield) std::cout << (options.json ? formats::to_json(*yield).text() : report::to_text(*yield)) << std::flush;
+  if (yield)
+    std::cout << (options.json ? formats::to_json(*yield).text() : report::to_text(report::document_of(*yield)))
+              << std::flush;
   if (!interruption.requested()) return ExitCode::done;
   std::string worths;
   if (options.worth_builds > 0 && (!yield || yield->worths.empty()))

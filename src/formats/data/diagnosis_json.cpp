@@ -237,14 +237,6 @@ Json posterior_json(const std::optional<DesignPosterior>& posterior) {
                        {"correlations", Json::list(rows, [](const auto& row) { return Json::numbers(row); })}});
 }
 
-Json summary_json(const DiagnosisSummary& summary) {
-  return Json::object({{"verdict", summary.verdict},
-                       {"cautions", Json::list(summary.cautions)},
-                       {"assumptions", Json::list(summary.assumptions)},
-                       {"rivals", Json::list(summary.rivals)},
-                       {"next_steps", Json::list(summary.next_steps)}});
-}
-
 }  // namespace
 
 Json to_json(const DiagnosisReport& report) {
@@ -284,7 +276,7 @@ Json to_json(const DiagnosisReport& report) {
   out.set("frozen_runs", Json::list(diagnosis.frozen_runs));
   out.set("far_first_pose", diagnosis.far_first_pose ? warning_json(*diagnosis.far_first_pose) : Json());
   out.set("posterior", posterior_json(report.posterior));
-  out.set("summary", summary_json(report.summary));
+  out.set("summary", report.summary);
   return out;
 }
 

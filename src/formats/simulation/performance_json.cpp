@@ -85,7 +85,7 @@ Json to_json(std::span<const simulation::ChoiceEffect> effects) {
       entry.set("reason", why->reason);
     } else {
       const simulation::DesignView design = std::get<simulation::EvaluatedDesign>(effect.result).view();
-      entry.set("part_limits", to_json(simulation::told(simulation::part_limits(design), design)));
+      entry.set("part_limits", to_json(simulation::told_part_limits(design)));
       entry.set("performance", to_json(design));
     }
     out.add(std::move(entry));

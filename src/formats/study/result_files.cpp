@@ -71,8 +71,9 @@ SizeReport size_report(const sizing::DesignProblem& problem, const sizing::Searc
           .built = after.built};
 }
 
-void write_size(text::OutputFolder& folder, const sizing::DesignProblem& problem, const SizeReport& report) {
-  folder.write("result.json", to_json(report).text());
+void write_size(text::OutputFolder& folder, const sizing::DesignProblem& problem, const SizeReport& report,
+                const text::Json& summary) {
+  folder.write("result.json", to_json(report).set("summary", summary).text());
   write_evaluations(folder.open("evaluations.csv"), problem.study(), report.result.archive.records());
   write_convergence(folder.open("convergence.csv"), report.result.archive);
   if (report.best != nullptr)
@@ -82,11 +83,11 @@ void write_size(text::OutputFolder& folder, const sizing::DesignProblem& problem
 }
 
 void write_pareto(text::OutputFolder& folder, const sizing::Study& study, const sizing::ParetoResult& result,
-                  std::span<const sizing::BrokenPartLimit> broken) {
+                  std::span<const sizing::BrokenPartLimit> broken, const text::Json& summary) {
   write_front(folder.open("front.csv"), study, result.front);
   write_evaluations(folder.open("evaluations.csv"), study, result.archive.records());
   write_convergence(folder.open("convergence.csv"), result.archive);
-  folder.write("result.json", to_json(study, result, broken).text());
+  folder.write("result.json", to_json(study, result, broken).set("summary", summary).text());
 }
 
 }  // namespace coilwright::formats

@@ -13,7 +13,6 @@
 #include "coilwright/formats/study/result_json.hpp"
 #include "coilwright/simulation/part_limits.hpp"
 #include "coilwright/sizing/problem/late_gain.hpp"
-#include "coilwright/text/json/object_reader.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -52,56 +51,7 @@ Json worth_json(const ScatterWorth& worth) {
                        {"keeps_all_at_half", share_json(worth.keeps_all)}});
 }
 
-constexpr Rule share_rule = Rule::between(0.0, 1.0);
-
-Share read_share(const Node& node) {
-  ObjectReader in(node);
-  const Share out{.value = in.number("share", share_rule),
-                  .low = in.number("low", share_rule),
-                  .high = in.number("high", share_rule)};
-  if (out.low > out.value || out.high < out.value)
-    throw node.error_without_value("must have a share from its low to its high");
-  return out;
-}
-
-std::optional<double> nullable_number(ObjectReader& in, std::string_view key) {
-  const Node node = in.at(key);
-  return node.is_null() ? std::nullopt : std::optional(node.number());
-}
-
-BuiltQuantity read_built_quantity(const Node& node) {
-  ObjectReader in(node);
-  BuiltQuantity out{.name = in.at("quantity").name(),
-                    .nominal = nullable_number(in, "nominal"),
-                    .p05 = nullable_number(in, "p05"),
-                    .p50 = nullable_number(in, "p50"),
-                    .p95 = nullable_number(in, "p95")};
-  out.of_uses = in.optional_number("of_uses", share_rule);
-  const auto keeps = in.find("keeps");
-  if (!keeps) return out;
-  out.limit = in.at("limit").name();
-  out.keeps = read_share(*keeps);
-  out.asked = in.optional_number("asked", share_rule);
-  return out;
-}
-
 }  // namespace
-
-Yield read_yield(const Node& node) {
-  ObjectReader in(node);
-  Yield out{.builds = in.integer<std::uint32_t>("builds", Rule::at_least(1.0))};
-  out.not_built = in.integer<std::uint32_t>("not_built", Rule::between(0.0, static_cast<double>(out.builds)));
-  if (in.find("failures"))
-    for (const Node& each : in.elements("failures", Length::at_least(0))) {
-      ObjectReader cause(each);
-      out.failures.push_back(
-          {.reason = cause.at("reason").name(), .builds = cause.integer<std::uint32_t>("builds", Rule::at_least(1.0))});
-    }
-  out.keeps_all = read_share(in.at("keeps_all"));
-  for (const Node& each : in.elements("quantities", Length::at_least(1)))
-    out.quantities.push_back(read_built_quantity(each));
-  return out;
-}
 
 const Limit& limit_named(const Study& study, std::string_view name) {
   return *std::ranges::find_if(study.limits, [&](const Limit& each) { return name_of(each) == name; });
@@ -239,7 +189,7 @@ Json to_json(const SizeReport& report) {
   out.set("operating_point", evaluated ? to_json(evaluated->point) : Json(nullptr));
   std::vector<simulation::PartLimit> limits;
   if (evaluated) {
-    limits = simulation::told(simulation::part_limits(evaluated->view()), evaluated->view());
+    limits = simulation::told_part_limits(evaluated->view());
     for (simulation::PartLimit& pulses : limits_of_pulses(report.study, *evaluated))
       limits.push_back(std::move(pulses));
   }

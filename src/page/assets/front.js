@@ -7,7 +7,7 @@
 
   const shown = (value) => {
     if (value === null) return '-';
-    return typeof value === 'number' ? String(Number(value.toPrecision(5))) : value;
+    return typeof value === 'number' ? String(Number(value.toPrecision(6))) : value;
   };
 
   // A table of names and values, made of elements: nothing in it is read as HTML.

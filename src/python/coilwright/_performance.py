@@ -65,12 +65,7 @@ class Performance(Quantities):
         return self._core.text
 
     def _repr_html_(self) -> str:
-        rows = []
-        for name, meaning, _ in _core.quantities():
-            value = self._core.value(name)
-            if value is not None:
-                rows.append(f"<tr><td>{name}</td><td>{value:.6g}</td><td>{html.escape(meaning)}</td></tr>")
-        return f"<table><caption>{html.escape(self.actuator.name)}</caption>{''.join(rows)}</table>"
+        return f"<p><b>{html.escape(self.actuator.name)}</b></p>{self._core.html}"
 
     def __repr__(self) -> str:
         return f"<coilwright.Performance of {self.actuator.name!r}>"

@@ -125,7 +125,7 @@ class Answer:
         return self.text
 
     def _repr_html_(self) -> str:
-        return f"<pre>{html.escape(self.text)}</pre>"
+        return str(self._core.html)
 
     def __repr__(self) -> str:
         return f"<coilwright.{type(self).__name__}: {' '.join(self.text.split(chr(10), 1)[0].split())}>"

@@ -40,30 +40,34 @@ std::string runs_text(const formats::DiagnosisReport& report) {
   return text;
 }
 
-std::string calibration_text(const Diagnosis& diagnosis) {
-  if (diagnosis.calibration.empty()) return {};
-  TextTable table;
+void add_calibration(Section& section, const Diagnosis& diagnosis) {
+  if (diagnosis.calibration.empty()) return;
+  TableBlock block{.caption = "Numbers fitted freely",
+                   .table = {.header = {"number", "value", "95 % interval", "declared"}},
+                   .align = {left, right, left, left},
+                   .headed = false,
+                   .further_in = 2};
   for (const identification::Estimate& each : diagnosis.calibration) {
     std::vector<std::string> row = estimate_row(each);
     const std::optional<double> declared = formats::in_unit(each).declared;
     row.push_back(declared ? fmt::format("declared {}", number_text(*declared)) : "");
-    table.row(std::move(row));
+    block.table.rows.push_back(std::move(row));
   }
-  std::string text = "  Numbers fitted freely:\n" + table.text(4, {left, right, left, left});
+  section.say("  Numbers fitted freely:\n");
+  section.blocks.emplace_back(std::move(block));
   if (diagnosis.verdict == Verdict::partly_explained || diagnosis.verdict == Verdict::unexplained)
-    text += "    The intervals are right only if nothing is missing; here something is left over.\n";
+    section.say("    The intervals are right only if nothing is missing; here something is left over.\n");
   if (!diagnosis.indistinguishable.empty())
-    text +=
+    section.say(
         "    Their intervals, and those of the declared numbers, contain what each of the effects that these data "
-        "cannot\n"
-        "    tell apart makes of them; the values are those with the effects reported.\n";
-  return text;
+        "cannot "
+        "tell apart makes of them; the values are those with the effects reported.\n");
 }
 
 // The declared numbers, those first that moved furthest.
-std::string nominal_text(const formats::DiagnosisReport& report) {
+void add_nominal(Section& section, const formats::DiagnosisReport& report) {
   const Diagnosis& diagnosis = report.diagnosis;
-  if (diagnosis.nominal.empty()) return {};
+  if (diagnosis.nominal.empty()) return;
   std::vector<const MovedNumber*> ordered;
   for (const MovedNumber& each : diagnosis.nominal) ordered.push_back(&each);
   const auto distance = [](const MovedNumber* each) { return -std::abs(formats::tolerances_moved(*each)); };
@@ -74,26 +78,31 @@ std::string nominal_text(const formats::DiagnosisReport& report) {
                   diagnosis.effects.empty() ? "without an effect" : "with the effects found");
   if (diagnosis.model_error > 1.0)
     text += fmt::format(
-        "    What is missing in the model is far larger than the noise: tolerances were weighed against it, as if the\n"
-        "    noise were {:.0f} times as large. Otherwise these numbers would take up what they can of it.\n",
+        "    What is missing in the model is far larger than the noise: tolerances were weighed against it, as if the "
+        "noise were {:.0f} times as large. Otherwise these numbers would take up what they can of it.\n",
         diagnosis.model_error);
-  TextTable table;
-  table.row({"", "declared", "tolerance", "moved to", "tolerances moved"});
+  section.say(text);
+  TableBlock block{.caption = "Declared numbers as the fit has them",
+                   .table = {.header = {"", "declared", "tolerance", "moved to", "tolerances moved", "95 % interval"}},
+                   .align = {left, right, left, right, right, left},
+                   .further_in = 2};
   for (const MovedNumber* each : std::span(ordered).first(std::min(ordered.size(), most_numbers))) {
     const formats::MovedNumberInUnit shown = formats::in_unit(*each);
-    table.row({each->estimate.key, number_text(shown.declared),
-               fmt::format("{}{}", number_text(shown.tolerance), each->named ? "" : " (default)"), moved_to_text(*each),
-               fmt::format("{:+.1f}", formats::tolerances_moved(*each))});
+    block.table.rows.push_back({each->estimate.key, number_text(shown.declared),
+                                fmt::format("{}{}", number_text(shown.tolerance), each->named ? "" : " (default)"),
+                                moved_to_text(*each), fmt::format("{:+.1f}", formats::tolerances_moved(*each)),
+                                each->idle_from ? "" : estimate_row(each->estimate).back()});
   }
-  text += table.text(4, {left, right, left, right, right});
+  section.blocks.emplace_back(std::move(block));
+  text.clear();
   if (ordered.size() > most_numbers)
     text += fmt::format("    and {} that moved less (nominal in diagnosis.json)\n", ordered.size() - most_numbers);
   const auto idle = std::ranges::find_if(ordered, [](const MovedNumber* each) { return each->idle_from.has_value(); });
   if (idle != ordered.end())
     text += fmt::format(
-        "    below, above: there the number changes nothing in these records (faces that touch nowhere). It has moved\n"
-        "    that far at least; the records cannot say how much further. {} has it at {}, as if there were\n"
-        "    no faces.\n",
+        "    below, above: there the number changes nothing in these records (faces that touch nowhere). It has moved "
+        "that far at least; the records cannot say how much further. {} has it at {}, as if there were "
+        "no faces.\n",
         report.updated_actuator, number_text(formats::in_unit((*idle)->estimate).value));
   const auto any_named = [&](std::string_view start) {
     return std::ranges::any_of(ordered, [&](const MovedNumber* each) { return each->estimate.key.starts_with(start); });
@@ -104,7 +113,7 @@ std::string nominal_text(const formats::DiagnosisReport& report) {
     text += "    The numbers of force_curve are a smooth error of the shape of the torque over the angle.\n";
   if (any_named("/"))
     text += "    A name with slashes is a place in the actuator file; its lists count from 0, links from the base.\n";
-  return text;
+  section.say(text);
 }
 
 std::string exact_text(const Diagnosis& diagnosis) {
@@ -170,16 +179,19 @@ std::string outliers_text(const Diagnosis& diagnosis) {
   }
   return text.empty() ? text
                       : "  Taken as outliers and left out, because they stand apart from their neighbours as no motion "
-                        "does\n  (all of them in diagnosis.json):\n" +
+                        "does (all of them in diagnosis.json):\n" +
                             text;
 }
 
 }  // namespace
 
-std::string diagnosis_assumptions(const formats::DiagnosisReport& report) {
-  const Diagnosis& diagnosis = report.diagnosis;
-  return runs_text(report) + calibration_text(diagnosis) + nominal_text(report) + exact_text(diagnosis) +
-         noise_text(diagnosis) + outliers_text(diagnosis);
+Section assumptions_section(const formats::DiagnosisReport& report) {
+  Section section{.id = "assumptions", .title = "What was assumed"};
+  section.say(runs_text(report));
+  add_calibration(section, report.diagnosis);
+  add_nominal(section, report);
+  section.say(exact_text(report.diagnosis) + noise_text(report.diagnosis) + outliers_text(report.diagnosis));
+  return section;
 }
 
 }  // namespace coilwright::report

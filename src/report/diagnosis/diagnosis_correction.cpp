@@ -87,22 +87,24 @@ std::string use_text(const formats::DiagnosisReport& report) {
 
 }  // namespace
 
-std::string correction_text(const formats::DiagnosisReport& report) {
+Section correction_section(const formats::DiagnosisReport& report) {
   const auto& correction = report.diagnosis.correction;
-  if (!correction.found)
-    return correction.reason.empty()
-               ? std::string()
-               : fmt::format("\nA torque without a name\n  None is offered. {}\n", correction.reason);
+  Section section{.id = "correction", .title = "A torque without a name"};
+  if (!correction.found) {
+    section.say(correction.reason.empty() ? "" : fmt::format("  None is offered. {}\n", correction.reason));
+    return section;
+  }
   const NamelessCorrection& found = *correction.found;
-  return fmt::format(
-             "\nA torque without a name\n"
-             "  A smooth joint torque over {} takes away {:.0f} % of the squared error above the noise on runs that\n"
-             "  were left out in turn. Nobody knows what it is: it serves until somebody can name it.\n"
-             "  It holds for {}, and fades beyond.\n"
-             "  It is largest, {}, and smallest, {}.\n",
-             variables_text(found), 100.0 * found.cross_validated_gain, ranges_text(found),
-             place_text(found, found.largest), place_text(found, found.smallest)) +
-         shape_text(found) + replaced_text(report, found) + use_text(report);
+  section.say(
+      fmt::format(
+          "  A smooth joint torque over {} takes away {:.0f} % of the squared error above the noise on runs that "
+          "were left out in turn. Nobody knows what it is: it serves until somebody can name it.\n"
+          "  It holds for {}, and fades beyond.\n"
+          "  It is largest, {}, and smallest, {}.\n",
+          variables_text(found), 100.0 * found.cross_validated_gain, ranges_text(found),
+          place_text(found, found.largest), place_text(found, found.smallest)) +
+      shape_text(found) + replaced_text(report, found) + use_text(report));
+  return section;
 }
 
 }  // namespace coilwright::report

@@ -68,8 +68,8 @@ std::string numbers_off_text(const Diagnosis& diagnosis) {
                         free_value_text(diagnosis, each), each.gain);
   if (text.empty()) return text;
   return text +
-         "  A gain of 6 is odds of 20 to 1. The numbers that moved, above, are those of a fit that holds each by its\n"
-         "  tolerance: there the one that is off passes what it lacks to those beside it.\n";
+         "  A gain of 6 is odds of 20 to 1. The numbers that moved, above, are those of a fit that holds each by its "
+         "tolerance: there the one that is off passes what it lacks to those beside it.\n";
 }
 
 std::vector<std::string> numbers_off_to_measure(const Diagnosis& diagnosis) {

@@ -8,6 +8,8 @@
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
 #include "coilwright/formats/data/diagnosis_json.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
+#include "coilwright/report/simulation/document.hpp"
+#include "coilwright/report/simulation/percent.hpp"
 #include "coilwright/units/unit.hpp"
 
 // What the text of a diagnosis is made of; each part has a file of its name.
@@ -86,13 +88,13 @@ namespace coilwright::report {
 
 /// What a diagnosis took for granted: the runs, the numbers that were free, moved within tolerances or exact, the noise
 /// and the samples that were left out.
-[[nodiscard]] std::string diagnosis_assumptions(const formats::DiagnosisReport& report);
+[[nodiscard]] Section assumptions_section(const formats::DiagnosisReport& report);
 
 // diagnosis_correction.cpp
 
 /// What a nameless correction of the torque is, how far it is to be trusted and what it shows; or why there is none.
-/// Empty where nothing was left over.
-[[nodiscard]] std::string correction_text(const formats::DiagnosisReport& report);
+/// Without blocks where nothing was left over.
+[[nodiscard]] Section correction_section(const formats::DiagnosisReport& report);
 
 // diagnosis_rivals.cpp
 
@@ -101,10 +103,7 @@ namespace coilwright::report {
 [[nodiscard]] std::string rivals_text(const measurement::Diagnosis& diagnosis);
 /// Whether effects are probable that are not reported since they would not be seen (identification::answer_of()).
 [[nodiscard]] bool has_unseen_effects(const measurement::Diagnosis& diagnosis);
-/// The table of what was compared; empty where nothing was.
-[[nodiscard]] std::string compared_text(const measurement::Diagnosis& diagnosis);
-
-/// "0.970", "more than 0.999"; "unknown" of what is not finite.
-[[nodiscard]] std::string probability_text(double probability);
+/// Adds the table of what was compared; nothing where nothing was.
+void add_compared(Section& section, const measurement::Diagnosis& diagnosis);
 
 }  // namespace coilwright::report

@@ -14,12 +14,6 @@
 
 namespace coilwright::report {
 
-std::string probability_text(double probability) {
-  if (!std::isfinite(probability)) return "unknown";
-  if (probability > 0.999) return "more than 0.999";
-  if (probability < 0.001) return "less than 0.001";
-  return fmt::format("{:.3f}", probability);
-}
 namespace {
 
 using formats::ids;
@@ -116,8 +110,8 @@ std::string alive_text(const Diagnosis& diagnosis) {
 std::string hinted_text(const Diagnosis& diagnosis) {
   if (diagnosis.hinted.empty()) return {};
   std::string text =
-      "  One more effect may be there that these data hint at, too weakly to be reported. All intervals have in them\n"
-      "  what it would do:\n";
+      "  One more effect may be there that these data hint at, too weakly to be reported. All intervals have in them "
+      "what it would do:\n";
   for (const identification::HintedEffect& each :
        std::span(diagnosis.hinted).first(std::min(diagnosis.hinted.size(), most_hinted)))
     text += fmt::format("    {}: the interval of {} is {:.1f} times wider for its sake\n", each.kind->id(), each.number,
@@ -138,9 +132,9 @@ std::string not_tested_text(const Diagnosis& diagnosis) {
 
 }  // namespace
 
-std::string compared_text(const Diagnosis& diagnosis) {
+void add_compared(Section& section, const Diagnosis& diagnosis) {
   const std::vector<WeighedHypothesis>& all = diagnosis.odds.hypotheses;
-  if (all.empty()) return {};
+  if (all.empty()) return;
   const WeighedHypothesis* reported = formats::reported_hypothesis(diagnosis);
   // Of a diagnosis that was interrupted the values are not counted: by what the recalibrated model leaves of them.
   const double declared = formats::chi_square_without_effects(diagnosis);
@@ -148,8 +142,15 @@ std::string compared_text(const Diagnosis& diagnosis) {
     return diagnosis.verdict == Verdict::incomplete ? diagnosis.before.level * std::sqrt(each.chi_square / declared)
                                                     : over_noise(diagnosis, each.chi_square);
   };
-  TextTable table;
-  table.row({"", "probability", "residual", "leaves noise", ""});
+  BarChart chart{.id = "ranking",
+                 .title = "The most probable hypotheses",
+                 .description = "Given that one of those that were fitted is true.",
+                 .value_title = "probability",
+                 .label_title = "effects"};
+  TableBlock block{.caption = "Compared, most probable first",
+                   .table = {.header = {"", "probability", "residual", "leaves noise", ""}},
+                   .align = {left, right, right, right, left},
+                   .further_in = 2};
   std::size_t count = 0;
   bool shows_forms = false;
   for (const WeighedHypothesis& each : all) {
@@ -158,23 +159,27 @@ std::string compared_text(const Diagnosis& diagnosis) {
     shows_forms = shows_forms || std::ranges::any_of(each.effects, [&](const actuator::EffectKind* kind) {
                     return has_forms(diagnosis.odds, kind);
                   });
-    table.row({hypothesis(diagnosis.odds, each), probability_text(each.probability), number_text(residual_of(each)),
-               probability_text(each.probability_of_noise),
-               &each == reported && diagnosis.verdict != Verdict::incomplete ? "reported" : ""});
+    const std::string name = hypothesis(diagnosis.odds, each);
+    block.table.rows.push_back({name, probability_text(each.probability), number_text(residual_of(each)),
+                                probability_text(each.probability_of_noise),
+                                &each == reported && diagnosis.verdict != Verdict::incomplete ? "reported" : ""});
+    if (std::isfinite(each.probability))
+      chart.bars.push_back({.label = name, .value = each.probability, .group = "compared"});
   }
   const std::string_view given =
       diagnosis.verdict == Verdict::incomplete ? "among those that were compared so far, by brief fits"
       : all.front().probability_of_noise < 0.5 ? "to be nearest, among those that were fitted; each lacks something"
                                                : "given that one of those that were fitted is true";
-  return "  Compared, most probable first\n" + table.text(4, {left, right, right, right, left}) +
-         (shows_forms ? "  (n numbers): the effect with so many of its numbers fitted; the others are as if absent.\n"
-                      : "") +
-         fmt::format(
-             "  probability: {}. residual: rms on the fit runs\n"
-             "  over the noise, 1 is noise alone. leaves noise: the probability that what is lacking is less than a "
-             "tenth\n"
-             "  of the noise.\n",
-             given);
+  section.say("  Compared, most probable first\n");
+  if (!chart.bars.empty()) section.blocks.emplace_back(std::move(chart));
+  section.blocks.emplace_back(std::move(block));
+  section.say(std::string(shows_forms
+                              ? "  (n numbers): the effect with so many of its numbers fitted; the others are as "
+                                "if absent.\n"
+                              : "") +
+              fmt::format("  probability: {}. residual: rms on the fit runs over the noise, 1 is noise alone. leaves "
+                          "noise: the probability that what is lacking is less than a tenth of the noise.\n",
+                          given));
 }
 
 bool has_unseen_effects(const Diagnosis& diagnosis) {

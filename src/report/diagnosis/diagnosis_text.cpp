@@ -90,12 +90,12 @@ std::string verdict_sentence(const Diagnosis& diagnosis) {
                          effects);
     case Verdict::incomplete:
       return "INTERRUPTED before there was a conclusion. The declared model was fitted anew, and its effects compared "
-             "as far as the\nlist below; nothing is known of runs that no fit has seen. Diagnose again, with --resume, "
+             "as far as the list below; nothing is known of runs that no fit has seen. Diagnose again, with --resume, "
              "for an answer.";
     case Verdict::unexplained:
       if (may_be_the_camera(diagnosis))
         return "Something is left over that none of the known effects explains. Whether the finger or the camera makes "
-               "it,\nthese records cannot tell: none shows the noise of the camera by itself.";
+               "it, these records cannot tell: none shows the noise of the camera by itself.";
       if (is_undecided(diagnosis))
         return fmt::format(
             "The declared model may lack something that none of the known effects explains: what is left over {}.",
@@ -105,23 +105,24 @@ std::string verdict_sentence(const Diagnosis& diagnosis) {
   return "";
 }
 
-std::string parameters_text(const AddedEffect& effect) {
-  if (effect.parameters.empty()) return "    (no number of its own)\n";
-  TextTable table;
-  for (const identification::Estimate& each : effect.parameters) {
-    if (each.chosen)
-      table.row({each.key, number_text(in_unit(each).value), "(chosen)"});
-    else
-      table.row(estimate_row(each));
-  }
-  std::string text = table.text(4, {left, right, left});
+void add_parameters(Section& section, const AddedEffect& effect) {
+  if (effect.parameters.empty()) return section.say("    (no number of its own)\n");
+  TableBlock block{.caption = fmt::format("Numbers of {}", effect.kind->id()),
+                   .table = {.header = {"number", "value", "95 % interval"}},
+                   .align = {left, right, left},
+                   .headed = false,
+                   .further_in = 2};
+  for (const identification::Estimate& each : effect.parameters)
+    block.table.rows.push_back(each.chosen
+                                   ? std::vector<std::string>{each.key, number_text(in_unit(each).value), "(chosen)"}
+                                   : estimate_row(each));
+  section.blocks.emplace_back(std::move(block));
   for (const identification::Estimate& each : effect.parameters)
     if (each.has_many_optima)
-      text += fmt::format(
-          "    {} fits about as well at other values, apart from each other: its interval is coarse. Measure it\n"
-          "    at the rig if a design rests on it.\n",
-          each.key);
-  return text;
+      section.say(fmt::format(
+          "    {} fits about as well at other values, apart from each other: its interval is coarse. Measure it at the "
+          "rig if a design rests on it.\n",
+          each.key));
 }
 
 // How probable it is.
@@ -135,8 +136,7 @@ std::string too_large_for_noise(const Diagnosis& diagnosis, const identification
   constexpr double large = 1.2;  // a level that the record itself tells is known to a tenth
   if (reported.probability_of_noise < 0.5 || over_noise(diagnosis, reported.chi_square) < large) return {};
   return "  That is more than the noise is taken to be (above): it is noise only where that level is too low. A still "
-         "run\n"
-         "  would tell.\n";
+         "run would tell.\n";
 }
 
 // What is left over, and whether it is noise.
@@ -161,8 +161,8 @@ std::string declared_text(const Diagnosis& diagnosis) {
                             : probability < 0.1 ? fmt::format("{:.2g} %", 100.0 * probability)
                                                 : fmt::format("{:.0f} %", 100.0 * probability);
   return fmt::format(
-      "  Without any effect the declared numbers would have to be so far off, all together, that {} of the\n"
-      "  rigs built to their tolerances are as far off or further ({}).\n",
+      "  Without any effect the declared numbers would have to be so far off, all together, that {} of the "
+      "rigs built to their tolerances are as far off or further ({}).\n",
       share,
       probability < identification::decision_thresholds.least_probability
           ? "below 1 %: they are off, or an effect is missing"
@@ -172,21 +172,22 @@ std::string declared_text(const Diagnosis& diagnosis) {
           : "above 1 %: taken together that may be chance, though the one that is off is none");
 }
 
-std::string found_text(const Diagnosis& diagnosis) {
-  std::string text = "\nWhat was found\n";
+Section found_section(const Diagnosis& diagnosis) {
+  Section section{.id = "effects", .title = "What was found"};
   for (const AddedEffect& each : diagnosis.effects) {
-    text += fmt::format("  {}: {}\n", each.kind->id(), each.kind->description());
-    text += parameters_text(each);
-    text += evidence_text(diagnosis, *each.kind);
+    section.say(fmt::format("  {}: {}\n", each.kind->id(), each.kind->description()));
+    add_parameters(section, each);
+    section.say(evidence_text(diagnosis, *each.kind));
   }
   if (diagnosis.effects.empty())
-    text += has_unseen_effects(diagnosis) ? "  No effect that moves anything by a tenth of the noise.\n"
-                                          : "  No effect that the data support.\n";
-  return text + residual_line(diagnosis) + numbers_off_text(diagnosis) + declared_text(diagnosis);
+    section.say(has_unseen_effects(diagnosis) ? "  No effect that moves anything by a tenth of the noise.\n"
+                                              : "  No effect that the data support.\n");
+  section.say(residual_line(diagnosis) + numbers_off_text(diagnosis) + declared_text(diagnosis));
+  return section;
 }
 
 // Where no effect was found, the model with the effects is the one that was fitted anew.
-std::string comparison_text(const ErrorComparison& comparison, bool any_effect) {
+TableBlock comparison_table(const ErrorComparison& comparison, bool any_effect) {
   const units::Unit unit = error_unit(comparison.kind);
   const auto shown = [&](double value) { return number_text(units::from_si(value, unit)); };
   const bool corrected = comparison.corrected.has_value();
@@ -198,55 +199,63 @@ std::string comparison_text(const ErrorComparison& comparison, bool any_effect) 
   };
   std::vector<std::string> rmse = line("  rmse", &Errors::rmse);
   rmse.push_back(fmt::format("noise alone: {}", shown(comparison.noise_floor_rmse)));
-  TextTable rows;
-  std::vector<std::string> head{fmt::format("{}, {}", formats::name_of(comparison.kind), readable_unit(unit.suffix)),
-                                "as declared", "fitted anew"};
+  TableBlock block{.caption = fmt::format("Errors of the {}", formats::name_of(comparison.kind))};
+  std::vector<std::string>& head =
+      block.table.header = {fmt::format("{}, {}", formats::name_of(comparison.kind), readable_unit(unit.suffix)),
+                            "as declared", "fitted anew"};
   if (any_effect) head.emplace_back("with effects");
   if (corrected) head.emplace_back("corrected");
-  std::vector<TextTable::Align> columns(head.size(), right);
-  columns.front() = left;
-  columns.push_back(left);
-  rows.row(std::move(head));
-  rows.row(line("  mean", &Errors::mae));
-  rows.row(std::move(rmse));
-  rows.row(line("  largest", &Errors::max));
-  return rows.text(2, columns);
+  block.align.assign(head.size(), right);
+  block.align.front() = left;
+  block.align.push_back(left);
+  head.emplace_back();
+  block.table.rows = {line("  mean", &Errors::mae), std::move(rmse), line("  largest", &Errors::max)};
+  block.table.rows[0].emplace_back();
+  block.table.rows[2].emplace_back();
+  return block;
 }
 
-std::string errors_text(const Diagnosis& diagnosis) {
+Section errors_section(const Diagnosis& diagnosis) {
   const bool validated = !diagnosis.validate_errors.empty();
-  const auto& comparisons = validated ? diagnosis.validate_errors : diagnosis.fit_errors;
-  if (comparisons.empty()) return {};
-  std::string text = validated ? "\nErrors on the runs that no fit has seen\n"
-                               : "\nErrors on the fit runs (no run could be kept from the fit)\n";
-  for (const ErrorComparison* each : main_first(comparisons))
-    text += comparison_text(*each, !diagnosis.effects.empty());
-  return text;
+  Section section{.id = "errors",
+                  .title = validated ? "Errors on the runs that no fit has seen"
+                                     : "Errors on the fit runs (no run could be kept from the fit)"};
+  for (const ErrorComparison* each : main_first(validated ? diagnosis.validate_errors : diagnosis.fit_errors))
+    section.blocks.emplace_back(comparison_table(*each, !diagnosis.effects.empty()));
+  return section;
 }
 
 // Only where something is left over: on a residual that is noise there is nothing to name.
-std::string residual_text(const Diagnosis& diagnosis) {
-  if (!leaves_structure(diagnosis) || !diagnosis.residual) return {};
+Section residual_section(const Diagnosis& diagnosis) {
+  Section section{.id = "leftover", .title = "What is left over, as a joint torque"};
+  if (!leaves_structure(diagnosis) || !diagnosis.residual) return section;
   const localise::ResidualTorque& residual = *diagnosis.residual;
   const units::Unit torque = error_unit(data::ChannelKind::torque);
-  std::string text = fmt::format("\nWhat is left over, as a joint torque\n  rms {}, where noise alone gives {}\n",
-                                 in_unit_text(residual.rms, torque), in_unit_text(residual.noise_floor, torque));
+  section.say(fmt::format("  rms {}, where noise alone gives {}\n", in_unit_text(residual.rms, torque),
+                          in_unit_text(residual.noise_floor, torque)));
   if (residual.rms < residual.noise_floor)
-    text += "  No more than noise makes of it: as a torque its size cannot be read. Look at it in residuals.csv.\n";
-  TextTable table;
+    section.say(
+        "  No more than noise makes of it: as a torque its size cannot be read. Look at it in residuals.csv.\n");
+  TableBlock block{.caption = "What its square goes with",
+                   .table = {.header = {"variable", "share"}},
+                   .align = {left, right},
+                   .headed = false,
+                   .further_in = 2};
   for (const localise::Dependence& each : residual.dependences) {
-    if (table.rows() == most_dependences || each.explained < least_dependence) break;
-    table.row({std::string(each.variable), fmt::format("{:.0f} %", 100.0 * each.explained)});
+    if (block.table.rows.size() == most_dependences || each.explained < least_dependence) break;
+    block.table.rows.push_back({std::string(each.variable), fmt::format("{:.0f} %", 100.0 * each.explained)});
   }
-  if (table.rows() > 0)
-    text += "  of its square goes with one variable alone\n" + table.text(4, {left, right});
-  else if (!residual.dependences.empty())
-    text += "  No single variable explains even a tenth of its square.\n";
-  if (residual.frequency) text += fmt::format("  strongest line at {} Hz\n", number_text(*residual.frequency));
+  if (!block.table.rows.empty()) {
+    section.say("  of its square goes with one variable alone\n");
+    section.blocks.emplace_back(std::move(block));
+  } else if (!residual.dependences.empty()) {
+    section.say("  No single variable explains even a tenth of its square.\n");
+  }
+  if (residual.frequency) section.say(fmt::format("  strongest line at {} Hz\n", number_text(*residual.frequency)));
   if (!diagnosis.after.where.empty())
-    text += fmt::format("  worst in {}: {} times what noise may show\n", diagnosis.after.where,
-                        number_text(diagnosis.after.structure));
-  return text;
+    section.say(fmt::format("  worst in {}: {} times what noise may show\n", diagnosis.after.where,
+                            number_text(diagnosis.after.structure)));
+  return section;
 }
 
 // Of records that are none of a moving finger: effects stand in for what the rig did.
@@ -281,48 +290,39 @@ std::vector<std::string> cautions_of(const formats::DiagnosisReport& report) {
   return out;
 }
 
-// A section of the summary; nothing where it has no line.
-std::string section(std::string_view title, const std::string& text) {
-  return text.empty() ? "" : fmt::format("\n{}\n{}", title, text);
-}
-
 // Before all else that follows from the data.
-std::string warnings_text(const Diagnosis& diagnosis) {
-  std::string text;
+Section warnings_section(const Diagnosis& diagnosis) {
+  Section section{.id = "warnings", .title = "Warnings"};
   for (const data::Warning& each : diagnosis.warnings) {
     const auto is_this = [&](const data::Warning& other) { return other.run == each.run && other.text == each.text; };
     const bool said = (diagnosis.far_first_pose && each.text == diagnosis.far_first_pose->text) ||
                       std::ranges::any_of(diagnosis.unanswered_runs, is_this);
-    if (!said) text += fmt::format("  {}{}\n", each.run.empty() ? "" : each.run + ": ", each.text);
+    if (!said) section.say(fmt::format("  {}{}\n", each.run.empty() ? "" : each.run + ": ", each.text));
   }
-  return text.empty() ? "" : "\nWarnings\n" + text;
+  return section;
 }
 
 }  // namespace
 
-formats::DiagnosisSummary summary_of(const formats::DiagnosisReport& report) {
-  formats::DiagnosisSummary out{.verdict = verdict_sentence(report.diagnosis),
-                                .cautions = cautions_of(report),
-                                .assumptions = text::lines_of(diagnosis_assumptions(report))};
-  std::ranges::replace(out.verdict, '\n', ' ');
-  if (report.diagnosis.verdict == Verdict::incomplete) return out;
-  out.rivals = text::lines_of(rivals_text(report.diagnosis));
-  for (std::string& line : out.rivals) line.erase(0, std::min(line.find_first_not_of(' '), line.size()));
-  out.next_steps = next_steps(report);
-  return out;
-}
-
-std::string to_text(const formats::DiagnosisReport& report) {
+Document document_of(const formats::DiagnosisReport& report) {
   const Diagnosis& diagnosis = report.diagnosis;
-  std::string text =
-      fmt::format("{}: {}\n\n{}\n", report.dataset, name_of(diagnosis.verdict), verdict_sentence(diagnosis));
-  for (const std::string& caution : cautions_of(report)) text += caution + '\n';
-  text += warnings_text(diagnosis) + section("What was assumed", diagnosis_assumptions(report));
-  if (diagnosis.verdict == Verdict::incomplete) return text + compared_text(diagnosis);
-  return text + found_text(diagnosis) + errors_text(diagnosis) +
-         fmt::format("\nHow sure, and what else it could be\n{}{}", rivals_text(diagnosis), compared_text(diagnosis)) +
-         fmt::format("\nWhat to do next\n  {}\n", fmt::join(next_steps(report), "\n  ")) + residual_text(diagnosis) +
-         correction_text(report);
+  Document out{.title = fmt::format("{}: {}", report.dataset, name_of(diagnosis.verdict)),
+               .verdict = verdict_sentence(diagnosis)};
+  for (const std::string& caution : cautions_of(report)) out.cautions.push_back(caution + '\n');
+  Section rivals{.id = "rivals", .title = "How sure, and what else it could be"};
+  if (diagnosis.verdict != Verdict::incomplete) rivals.say(rivals_text(diagnosis));
+  add_compared(rivals, diagnosis);
+  out.sections = {warnings_section(diagnosis), assumptions_section(report)};
+  if (diagnosis.verdict == Verdict::incomplete) {
+    out.sections.push_back(std::move(rivals));
+    return out;
+  }
+  Section next{.id = "next", .title = "What to do next"};
+  next.say(fmt::format("  {}\n", fmt::join(next_steps(report), "\n  ")));
+  for (Section& each : std::vector<Section>{found_section(diagnosis), errors_section(diagnosis), std::move(rivals),
+                                            std::move(next), residual_section(diagnosis), correction_section(report)})
+    out.sections.push_back(std::move(each));
+  return out;
 }
 
 }  // namespace coilwright::report

@@ -40,7 +40,7 @@ std::string to_text(std::span<const CorrectionReach> reach) {
   for (const CorrectionReach& each : reach)
     measured += (measured.empty() ? "" : " and ") + range(each, each.measured_from, each.measured_to);
   std::string text = fmt::format(
-      "\nWith a nameless correction of the torque: what records showed and no known effect explains.\n"
+      "With a nameless correction of the torque: what records showed and no known effect explains.\n"
       "It was measured at {}.\n",
       measured);
   for (const CorrectionReach& each : reach)
@@ -48,6 +48,12 @@ std::string to_text(std::span<const CorrectionReach> reach) {
       text += fmt::format("WARNING: used at {}: beyond what was measured it fades to nothing.\n",
                           range(each, each.used_from, each.used_to));
   return text;
+}
+
+Section correction_section(std::span<const CorrectionReach> reach) {
+  Section section{.id = "correction", .title = "A torque without a name"};
+  if (!reach.empty()) section.blocks.emplace_back(Lines{to_text(reach)});
+  return section;
 }
 
 }  // namespace coilwright::report

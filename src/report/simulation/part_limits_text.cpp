@@ -20,6 +20,11 @@ using simulation::DesignView;
 using simulation::EvaluatedDesign;
 using simulation::NoPerformance;
 using simulation::PartLimit;
+using enum TextTable::Align;
+
+std::string limit_text(const PartLimit& limit) {
+  return fmt::format("{} {}", limit.at_most ? "at most" : "at least", short_number(limit.limit));
+}
 
 // Relative changes below this are not worth a reader's time.
 constexpr double noticeable = 0.005;
@@ -35,9 +40,9 @@ FigureChange change_of(std::string_view name, const DesignView& taken, const Des
   const std::optional<double> reference = quantity.value(taken);
   if (!value) return {.text = fmt::format("{} none", name), .is_noticeable = reference.has_value()};
   if (!reference || *reference == 0.0)
-    return {.text = fmt::format("{} {:.4g}", name, *value), .is_noticeable = value != reference};
+    return {.text = fmt::format("{} {}", name, short_number(*value)), .is_noticeable = value != reference};
   const double change = (*value - *reference) / std::abs(*reference);
-  return {.text = fmt::format("{} {:.4g} ({})", name, *value, percent_change(change)),
+  return {.text = fmt::format("{} {} ({})", name, short_number(*value), percent_change(change)),
           .is_noticeable = std::abs(change) >= noticeable};
 }
 
@@ -65,8 +70,8 @@ std::vector<std::string_view> broken_among(const std::vector<PartLimit>& limits)
 std::string worst_limit_text(const std::vector<PartLimit>& limits) {
   const auto worst = std::ranges::min_element(limits, {}, &PartLimit::margin);
   if (!worst->value) return fmt::format("BROKEN: {} has no steady value", worst->quantity);
-  return fmt::format("{}{} {:.4g}, {} {:.4g}", worst->is_broken() ? "BROKEN: " : "least margin: ", worst->quantity,
-                     *worst->value, worst->at_most ? "at most" : "at least", worst->limit);
+  return fmt::format("{}{} {}, {}", worst->is_broken() ? "BROKEN: " : "least margin: ", worst->quantity,
+                     short_number(*worst->value), limit_text(*worst));
 }
 
 std::string effect_text(const DesignView& taken, const ChoiceEffect& effect) {
@@ -92,7 +97,7 @@ std::string unchanged_text(const DesignView& taken) {
 }
 
 std::string value_text(const PartLimit& limit) {
-  return limit.value ? fmt::format("{:.5g}", *limit.value) : "none (thermal runaway)";
+  return limit.value ? short_number(*limit.value) : "none (thermal runaway)";
 }
 
 std::string state_of(const PartLimit& limit) {
@@ -109,7 +114,8 @@ struct Constraint {
 
   [[nodiscard]] bool is_kept_by(double other) const { return at_most ? other <= limit : other >= limit; }
   [[nodiscard]] std::string text() const {
-    return fmt::format(R"({{"quantity": "{}", "{}": {:.5g}}})", quantity, at_most ? "at_most" : "at_least", limit);
+    return fmt::format(R"({{"quantity": "{}", "{}": {}}})", quantity, at_most ? "at_most" : "at_least",
+                       short_number(limit));
   }
 };
 
@@ -135,15 +141,14 @@ std::string lines_of(std::string_view title, std::span<const PartLimit> broken, 
   std::vector<std::string> loose;
   std::vector<std::string> there;
   for (const PartLimit& limit : broken) {
-    text += fmt::format("  {:<34} {:>10}  {} {:.5g}: {}\n", limit.quantity, value_text(limit),
-                        limit.at_most ? "at most" : "at least", limit.limit, limit.consequence);
+    text += fmt::format("  {} {}, {}: {}\n", limit.quantity, value_text(limit), limit_text(limit), limit.consequence);
     const Constraint constraint = constraint_of(limit, in_builds);
     const std::optional<double> in_study = limit_in_study(constraint.quantity, constraint.at_most);
     std::vector<std::string>& list = !in_study ? missing : constraint.is_kept_by(*in_study) ? there : loose;
     if (std::string each = constraint.text(); std::ranges::find(list, each) == list.end())
       list.push_back(std::move(each));
   }
-  return fmt::format("\n{}\n{}", title, text) +
+  return fmt::format("{}\n{}", title, text) +
          sentence_of(fmt::format("{} to the study's \"constraints\" and size anew", add), missing) +
          sentence_of("Tighten in the study's \"constraints\" and size anew", loose) +
          sentence_of("In the study already, and kept by as many builds as it asks for", there,
@@ -152,38 +157,53 @@ std::string lines_of(std::string_view title, std::span<const PartLimit> broken, 
 
 }  // namespace
 
-std::string to_text(std::span<const PartLimit> limits) {
-  std::string text = "Limits of the parts at this operating point\n";
-  for (const PartLimit& limit : limits) {
-    text += fmt::format("  {:<34} {:>10}  {} {:.5g}  {}\n", limit.quantity, value_text(limit),
-                        limit.at_most ? "at most" : "at least", limit.limit, state_of(limit));
+Section limits_section(std::span<const PartLimit> limits) {
+  BarChart chart{.id = "margins",
+                 .title = "Margins of the parts",
+                 .description =
+                     "How far each part is from its limit, in per cent of the limit. A bar to the left is a limit that "
+                     "is broken; it ends at -100 % where there is no steady value.",
+                 .value_title = "margin, %",
+                 .label_title = "limit"};
+  TableBlock block{.caption = "Limits of the parts",
+                   .table = {.header = {"quantity", "value", "limit", "state"}},
+                   .align = {left, right, left, left},
+                   .headed = false};
+  for (const PartLimit& each : limits) {
+    block.table.rows.push_back({std::string(each.quantity), value_text(each), limit_text(each), state_of(each)});
+    chart.bars.push_back({.label = fmt::format("{} {}", each.quantity, limit_text(each)),
+                          .value = 100.0 * each.margin(),
+                          .group = !each.is_broken()  ? "kept"
+                                   : each.conditional ? "on a condition"
+                                                      : "broken"});
   }
-  return text;
+  return {.id = "limits",
+          .title = "Limits of the parts at this operating point",
+          .blocks = {std::move(chart), std::move(block)}};
 }
 
-std::string warning_of_parts(std::span<const PartLimit> broken, bool in_builds, const LimitInStudy& limit_in_study) {
-  const auto those = [&](bool conditional) {
-    std::vector<PartLimit> out(broken.begin(), broken.end());
-    std::erase_if(out, [conditional](const PartLimit& limit) { return limit.conditional != conditional; });
-    return out;
-  };
-  std::string text;
-  if (const std::vector<PartLimit> fatal = those(false); !fatal.empty())
-    text += lines_of("BEWARE: this design breaks limits of its parts", fatal, in_builds, limit_in_study, "Add");
-  if (const std::vector<PartLimit> conditional = those(true); !conditional.empty())
-    text += lines_of("MIND what this design needs, or gives up", conditional, in_builds, limit_in_study,
-                     "Where that will not do, add");
-  return text;
+std::vector<std::string> cautions_of_parts(std::span<const PartLimit> broken, bool in_builds,
+                                           const LimitInStudy& limit_in_study) {
+  std::vector<std::string> out;
+  for (const bool conditional : {false, true}) {
+    std::vector<PartLimit> those(broken.begin(), broken.end());
+    std::erase_if(those, [&](const PartLimit& limit) { return limit.conditional != conditional; });
+    if (those.empty()) continue;
+    out.push_back(lines_of(
+        conditional ? "MIND what this design needs, or gives up" : "BEWARE: this design breaks limits of its parts",
+        those, in_builds, limit_in_study, conditional ? "Where that will not do, add" : "Add"));
+  }
+  return out;
 }
 
-std::string doubts_text(const actuator::Design& design) {
-  std::string text;
+std::vector<std::string> doubts_of(const actuator::Design& design) {
+  std::vector<std::string> out;
   for (const actuator::CalibrationDoubt& each : actuator::calibration_doubts(design))
-    text += fmt::format(
-        "\nMIND: the {} that was measured is {:.3g} times what the dimensions give: was it measured on this "
-        "actuator?\n",
-        each.quantity, each.factor);
-  return text;
+    out.push_back(
+        fmt::format("MIND: the {} that was measured is {:.3g} times what the dimensions give: was it measured on this "
+                    "actuator?\n",
+                    each.quantity, each.factor));
+  return out;
 }
 
 std::string subject_text(const actuator::OtherChoice& choice) {
@@ -191,11 +211,9 @@ std::string subject_text(const actuator::OtherChoice& choice) {
                      choice.source, choice.settled_by);
 }
 
-std::string to_text(const DesignView& taken, std::span<const ChoiceEffect> effects) {
+Section assumptions_section(const DesignView& taken, std::span<const ChoiceEffect> effects) {
   std::string text =
-      "\nWhat these figures rest on: choices and numbers that no measurement of this design has settled, the largest "
-      "first\n";
-  if (!effects.empty()) text += unchanged_text(taken);
+      "Choices and numbers that no measurement of this design has settled, the largest first\n" + unchanged_text(taken);
   std::vector<std::string_view> small;
   for (const std::span<const ChoiceEffect> of_subject : by_subject(effects)) {
     if (std::ranges::none_of(of_subject, &ChoiceEffect::matters)) {
@@ -209,7 +227,7 @@ std::string to_text(const DesignView& taken, std::span<const ChoiceEffect> effec
     text += fmt::format("  By less than {:.3g} % on each of {}, and on no limit: {}.\n",
                         100.0 * simulation::change_that_matters, fmt::join(simulation::main_figures, ", "),
                         fmt::join(small, ", "));
-  return text;
+  return {.id = "assumptions", .title = "What these figures rest on", .blocks = {Lines{std::move(text)}}};
 }
 
 }  // namespace coilwright::report

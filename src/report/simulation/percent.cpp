@@ -17,4 +17,11 @@ std::string percent_change(double share) {
   return text == "+0.0 %" || text == "-0.0 %" ? text.substr(1) : text;
 }
 
+std::string probability_text(double probability) {
+  if (!std::isfinite(probability)) return "unknown";
+  if (probability > 0.999) return "more than 0.999";
+  if (probability < 0.001) return "less than 0.001";
+  return fmt::format("{:.3f}", probability);
+}
+
 }  // namespace coilwright::report

@@ -57,18 +57,19 @@ std::string result_text(const EvaluatedDesign& design) {
 
 }  // namespace
 
-std::string opening_text(const simulation::DesignView& design) {
+Section opening_section(const simulation::DesignView& design) {
+  Section section{.id = "opening", .title = "What opens every joint, with all else as it is"};
   const auto& motion = design.performance.free.motion;
-  if (!motion || simulation::pressed_joints(design.assembly.model, motion->steady_angles).empty()) return {};
+  if (!motion || simulation::pressed_joints(design.assembly.model, motion->steady_angles).empty()) return section;
   const std::vector<OpeningChange> changes = simulation::what_opens_joints(design);
-  std::string text = changes.empty()
-                         ? "\nNo polarity, no row near this one and no current was found that opens every joint.\n"
-                         : "\nWhat opens every joint, with all else as it is\n";
+  std::string text;
+  if (changes.empty()) text = "No polarity, no row near this one and no current was found that opens every joint.\n";
   for (const OpeningChange& change : changes)
     text += fmt::format("  {}\n    {}\n", change_text(change), result_text(change.result));
-  return text +
-         "In a study, the limit of smallest_joint_stroke_deg asks for joints that open, and the variables \"polarity\" "
-         "and \"layout\" try rows.\n";
+  section.blocks.emplace_back(
+      Lines{text + "In a study, the limit of smallest_joint_stroke_deg asks for joints that open, and the variables "
+                   "\"polarity\" and \"layout\" try rows.\n"});
+  return section;
 }
 
 }  // namespace coilwright::report

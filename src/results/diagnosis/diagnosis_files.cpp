@@ -108,8 +108,9 @@ DiagnosisAnswer answer_of(const Diagnosis& diagnosis, const AskedDiagnosis& aske
         diagnosis, [&](std::span<const double> calibration, const std::vector<Effect>& added) {
           return std::get<actuator::Design>(declared.updated(calibration, added));
         });
-  report.summary = report::summary_of(report);
-  return {.summary = report::to_text(report),
+  const report::Document document = report::document_of(report);
+  report.summary = report::to_json(document);
+  return {.summary = report::to_text(document),
           .json = formats::to_json(report).text(),
           .actuator = std::move(actuators.updated),
           .corrected_actuator = std::move(actuators.corrected),

@@ -54,6 +54,9 @@ struct Row {
 // A text has these rows in this order, each value to the six digits that it prints, and then what is listed by joints.
 void expect_rows(const std::string& text, const std::vector<Row>& expected) {
   std::istringstream lines(text);
+  std::string title;
+  std::getline(lines, title);
+  EXPECT_EQ(title, "All quantities");
   for (const Row& row : expected) {
     std::string line, name, value, meaning;
     ASSERT_TRUE(std::getline(lines, line)) << row.name;
@@ -93,8 +96,9 @@ TEST(PerformanceText, ListsAQuantityOfAUsersOwn) {
   const auto performance = std::get<simulation::Performance>(simulation::performance_of(design, assembly, point));
   const simulation::DesignView view{.design = design, .assembly = assembly, .point = point, .performance = performance};
   const QuantityTable table = table_with_aspect_ratio();
-  expect_rows(to_text(view, table), rows_of(view, table));
-  expect_rows(to_text(view), rows_of(view, simulation::standard_quantities()));  // which has no aspect ratio
+  expect_rows(to_text(quantities_section(view, table)), rows_of(view, table));
+  expect_rows(to_text(quantities_section(view)),
+              rows_of(view, simulation::standard_quantities()));  // which has no aspect ratio
   const auto json = text::parse_json(formats::to_json(view, table).text(), "figures.json");
   EXPECT_DOUBLE_EQ(json.root().find("aspect_ratio")->number(), assembly.dimensions.width / assembly.dimensions.height);
 }
@@ -113,16 +117,19 @@ TEST(PerformanceText, AlignsItsColumnsUnderTheLongestName) {
        }});
   for (const auto& [quantities, width] :
        {std::pair(&simulation::standard_quantities(), std::size_t{34}), std::pair(&table, name.size())}) {
-    std::istringstream lines(to_text(view, *quantities));
-    for (const simulation::ResultQuantity& quantity : *quantities) {
-      std::string line;
-      std::getline(lines, line);
-      ASSERT_EQ(line.substr(0, quantity.name.size()), quantity.name);
-      EXPECT_EQ(line.find(quantity.meaning), width + 15) << line;
-    }
+    std::istringstream lines(to_text(quantities_section(view, *quantities)));
     std::string line;
     std::getline(lines, line);
-    EXPECT_EQ(line.substr(0, width), "joint_angles_deg" + std::string(width - 16, ' '));
+    std::optional<std::size_t> column;
+    for (const simulation::ResultQuantity& quantity : *quantities) {
+      std::getline(lines, line);
+      ASSERT_EQ(line.substr(2, quantity.name.size()), quantity.name);
+      const std::size_t at = line.find(quantity.meaning, 2 + width);
+      EXPECT_EQ(at, column.value_or(at)) << line;
+      column = at;
+    }
+    std::getline(lines, line);
+    EXPECT_TRUE(line.starts_with("  joint_angles_deg")) << line;
   }
 }
 
@@ -136,7 +143,7 @@ TEST(PerformanceText, OfALumpedModelHasWhatNeedsNoDesign) {
           {.name = quantity.name, .value = quantity.value_of_lumped(motion, 1.1), .meaning = quantity.meaning});
   EXPECT_THAT(rows, ::testing::Contains(::testing::Field(&Row::name, "current_A")));
   EXPECT_THAT(rows, ::testing::Not(::testing::Contains(::testing::Field(&Row::name, "mass_g"))));
-  expect_rows(to_text(motion, 1.1, table_with_aspect_ratio()), rows);
+  expect_rows(to_text(quantities_section(motion, 1.1, table_with_aspect_ratio())), rows);
 }
 
 }  // namespace

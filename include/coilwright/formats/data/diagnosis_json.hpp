@@ -11,15 +11,6 @@
 
 namespace coilwright::formats {
 
-/// A diagnosis in words: what the summary says first, and what a page shows.
-struct DiagnosisSummary {
-  std::string verdict{};                   ///< one sentence
-  std::vector<std::string> cautions{};     ///< remarks that a reader must see beside it, a sentence or two each
-  std::vector<std::string> assumptions{};  ///< assumptions, as lines aligned by spaces
-  std::vector<std::string> rivals{};       ///< certainty of the answer, and its rivals, a line each
-  std::vector<std::string> next_steps{};   ///< next steps, the most useful first
-};
-
 /// The results of `diagnose` that are to be written.
 struct DiagnosisReport {
   const measurement::Diagnosis& diagnosis;  ///< must outlive the report
@@ -34,7 +25,7 @@ struct DiagnosisReport {
   /// have. Empty: they are accepted.
   std::vector<std::string> refused{};
   std::optional<measurement::DesignPosterior> posterior{};  ///< of a design's numbers; absent for a lumped model
-  DiagnosisSummary summary{};                               ///< report::summary_of the rest
+  text::Json summary{};                                     ///< what the rest says in words
 };
 
 /// diagnosis.json, format `diagnosis/1`: the keys of the format first, in its order, then those that go beyond it

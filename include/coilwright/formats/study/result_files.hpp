@@ -27,12 +27,13 @@ namespace coilwright::formats {
                                      const sizing::AfterSearch& after);
 
 /// Writes the files of `size`: result.json, evaluations.csv, convergence.csv and, if there is a design, actuator.json.
-/// The caller commits the folder.
-void write_size(text::OutputFolder& folder, const sizing::DesignProblem& problem, const SizeReport& report);
+/// `summary` is what the result says in words, a member of result.json. The caller commits the folder.
+void write_size(text::OutputFolder& folder, const sizing::DesignProblem& problem, const SizeReport& report,
+                const text::Json& summary);
 
-/// Writes the files of `pareto`: front.csv, evaluations.csv, convergence.csv and result.json. The caller commits the
-/// folder.
+/// Writes the files of `pareto`: front.csv, evaluations.csv, convergence.csv and result.json, with `summary` as above.
+/// The caller commits the folder.
 void write_pareto(text::OutputFolder& folder, const sizing::Study& study, const sizing::ParetoResult& result,
-                  std::span<const sizing::BrokenPartLimit> broken);
+                  std::span<const sizing::BrokenPartLimit> broken, const text::Json& summary);
 
 }  // namespace coilwright::formats

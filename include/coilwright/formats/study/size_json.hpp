@@ -10,7 +10,6 @@
 #include "coilwright/sizing/study/design_problem.hpp"
 #include "coilwright/sizing/study/yield.hpp"
 #include "coilwright/text/json/json.hpp"
-#include "coilwright/text/json/node.hpp"
 
 namespace coilwright::formats {
 
@@ -52,8 +51,5 @@ struct RangeEnd {
 
 /// The output of `yield --json`; its keys are in docs/formats-results.md.
 [[nodiscard]] text::Json to_json(const sizing::Yield& yield);
-/// Reads that output back without its scatters, which the `as_built` of a result does not have. Throws
-/// text::InputError.
-[[nodiscard]] sizing::Yield read_yield(const text::Node& node);
 
 }  // namespace coilwright::formats

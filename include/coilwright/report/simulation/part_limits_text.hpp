@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "coilwright/actuator/calibration_doubts.hpp"
+#include "coilwright/report/simulation/document.hpp"
 #include "coilwright/simulation/choice_effects.hpp"
 #include "coilwright/simulation/part_limits.hpp"
 
@@ -17,17 +18,17 @@ namespace coilwright::report {
 /// Returns the limit that a study sets to a quantity of that name, on that side; absent if it sets none.
 using LimitInStudy = std::function<std::optional<double>(std::string_view quantity, bool at_most)>;
 
-/// A warning of limits that a design breaks, then of conditional ones, each with the constraint that the study lacks to
-/// keep it; empty if there are none. With `in_builds` the constraints are those by which 95 % of the builds of a
+/// The cautions of limits that a design breaks, and of conditional ones, each with the constraint that the study lacks
+/// to keep it; none if it keeps all. With `in_builds` the constraints are those by which 95 % of the builds of a
 /// study's spread keep them.
-[[nodiscard]] std::string warning_of_parts(std::span<const simulation::PartLimit> broken, bool in_builds,
-                                           const LimitInStudy& limit_in_study);
+[[nodiscard]] std::vector<std::string> cautions_of_parts(std::span<const simulation::PartLimit> broken, bool in_builds,
+                                                         const LimitInStudy& limit_in_study);
 
-/// The measured values that lie far from those derived from the dimensions of the same file; empty if there are none.
-[[nodiscard]] std::string doubts_text(const actuator::Design& design);
+/// A caution for each measured value that lies far from the one derived from the dimensions of the same file.
+[[nodiscard]] std::vector<std::string> doubts_of(const actuator::Design& design);
 
-/// One line for each limit of the parts: value, limit, and the consequence of breaking it.
-[[nodiscard]] std::string to_text(std::span<const simulation::PartLimit> limits);
+/// Value, limit and margin of each limit of the parts, and the consequence of breaking it.
+[[nodiscard]] Section limits_section(std::span<const simulation::PartLimit> limits);
 
 /// The description of a subject of such a list: how it is taken, how well it is known and what settles it.
 [[nodiscard]] std::string subject_text(const actuator::OtherChoice& choice);
@@ -49,7 +50,7 @@ template <class Effect>
 /// and number of a subject that matters the main figures that it changes, the limit of the parts with the least margin
 /// (unless the same limits are broken without it), and what settles it; then the names of the subjects that do not
 /// matter.
-[[nodiscard]] std::string to_text(const simulation::DesignView& taken,
-                                  std::span<const simulation::ChoiceEffect> effects);
+[[nodiscard]] Section assumptions_section(const simulation::DesignView& taken,
+                                          std::span<const simulation::ChoiceEffect> effects);
 
 }  // namespace coilwright::report

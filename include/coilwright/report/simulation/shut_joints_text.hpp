@@ -1,13 +1,12 @@
 #pragma once
 
-#include <string>
-
+#include "coilwright/report/simulation/document.hpp"
 #include "coilwright/simulation/quantity.hpp"
 
 namespace coilwright::report {
 
 /// For a design with joints that its current holds shut: each change that opens all of them, where to write it, and the
-/// rest angle and stroke that follow. Empty if no joint is shut under current.
-[[nodiscard]] std::string opening_text(const simulation::DesignView& design);
+/// rest angle and stroke that follow. Without blocks if no joint is shut under current.
+[[nodiscard]] Section opening_section(const simulation::DesignView& design);
 
 }  // namespace coilwright::report

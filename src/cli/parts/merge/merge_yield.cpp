@@ -47,7 +47,7 @@ ExitCode merge_yield(const MergeOptions& options, const Parts& parts) {
   results::write_provenance(folder, provenance_of_whole(parts.whole));
   take_folder(folder, "result.json", options.force);
   folder.commit("result.json");
-  std::cout << (options.json ? formats::to_json(yield).text() : report::to_text(yield));
+  std::cout << (options.json ? formats::to_json(yield).text() : report::to_text(report::document_of(yield)));
   return ExitCode::done;
 }
 

@@ -56,7 +56,9 @@ Series series_of(const replay::PreparedRun& run, replay::SampleRange range, std:
   return out;
 }
 
-std::vector<Block> blocks_of(std::span<const replay::PreparedRun> runs, const fit::Fit& fit) {
+// `residuals`: as Fit::stacked_residuals, at the fit or near it.
+std::vector<Block> blocks_of(std::span<const replay::PreparedRun> runs, const fit::Fit& fit,
+                             const Eigen::VectorXd& residuals) {
   std::vector<Block> out;
   Eigen::Index row = 0;
   for (const replay::PreparedRun& run : runs)
@@ -64,7 +66,7 @@ std::vector<Block> blocks_of(std::span<const replay::PreparedRun> runs, const fi
       const Eigen::MatrixXd& parameters = fit.parameter_columns[out.size()];
       const Eigen::MatrixXd& local = fit.local_columns[out.size()];
       Rows all(parameters.rows(), 1 + parameters.cols() + local.cols());
-      all << fit.stacked_residuals.segment(row, parameters.rows()), parameters, local;
+      all << residuals.segment(row, parameters.rows()), parameters, local;
       row += parameters.rows();
       const Eigen::Index samples = run.values_in(range);
       // The fit holds priors the harder the farther from the noise it is.
@@ -132,7 +134,10 @@ struct Mode {
 class Weighing {
  public:
   Weighing(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted, const actuator::RigScale& scale)
-      : fitted_(fitted), blocks_(blocks_of(runs, fitted.fit)), priors_(priors_of(fitted, scale)) {}
+      : runs_(runs),
+        fitted_(fitted),
+        blocks_(blocks_of(runs, fitted.fit, fitted.fit.stacked_residuals)),
+        priors_(priors_of(fitted, scale)) {}
 
   WeighedFit run() const {
     const std::vector<WhatIsLeft> grid = all_that_may_be_left(range());
@@ -186,13 +191,10 @@ class Weighing {
   }
 
   WeighedFit at(const WhatIsLeft& left) const {
-    const Eigen::Index size = fitted_.hypothesis.size();
-    Quadratic sum{
-        .constant = 0.0, .gradient = Eigen::VectorXd::Zero(size), .matrix = Eigen::MatrixXd::Zero(size, size)};
-    double log_z = priors_.log_density;
-    for (const Block& block : blocks_) log_z += add(block, left, sum);
-    const Mode mode = mode_of(sum);
-    log_z -= 0.5 * mode.objective;
+    const Likelihood here = likelihood_of(blocks_, left);
+    const Mode mode = mode_of(here.quadratic);
+    const Reached reached = reached_by(mode, here, left);
+    double log_z = priors_.log_density + reached.log_density;
     for (const double each : mode.modes.values)
       log_z += 0.5 * (std::log(2.0 * std::numbers::pi) - std::log(std::max(each, least_mode)));
     for (const double unit : mode.units) log_z += std::log(unit);
@@ -200,13 +202,64 @@ class Weighing {
     if (left.missing.deviation > 0.0)
       for (const Block& block : blocks_)
         for (const Series& series : block.series) out.values_of_discrepancy += values_told(series, left.in(series));
-    out.values = fitted_.hypothesis.clamped(fitted_.fit.values + priors_.slopes.cwiseProduct(mode.step));
+    out.values = values_at(reached.step);
     const Eigen::MatrixXd& vectors = mode.modes.vectors;
     const Eigen::VectorXd variances = mode.modes.values.cwiseMax(least_mode).cwiseInverse();
     const Eigen::VectorXd units = priors_.slopes.cwiseProduct(mode.units);
     for (std::size_t e = 0; e < fitted_.hypothesis.effects().size(); ++e)
       out.first_of_effects.push_back(fitted_.hypothesis.parameters_of(e).first);
     out.covariance = units.asDiagonal() * vectors * variances.asDiagonal() * vectors.transpose() * units.asDiagonal();
+    return out;
+  }
+
+  [[nodiscard]] Eigen::VectorXd values_at(const Eigen::VectorXd& step) const {
+    return fitted_.hypothesis.clamped(fitted_.fit.values + priors_.slopes.cwiseProduct(step));
+  }
+
+  // What the records say of the parameters about a place; `constant` does not depend on them.
+  struct Likelihood {
+    double constant{};
+    Quadratic quadratic;
+  };
+  [[nodiscard]] Likelihood likelihood_of(const std::vector<Block>& blocks, const WhatIsLeft& left) const {
+    const Eigen::Index size = fitted_.hypothesis.size();
+    Likelihood out{.quadratic = {.gradient = Eigen::VectorXd::Zero(size), .matrix = Eigen::MatrixXd::Zero(size, size)}};
+    for (const Block& block : blocks) out.constant += add(block, left, out.quadratic);
+    return out;
+  }
+
+  // Of likelihood and priors, at a step from the fit where the records are `there`.
+  [[nodiscard]] double log_density_at(const Eigen::VectorXd& step, const Likelihood& there) const {
+    return there.constant -
+           0.5 * (there.quadratic.constant + step.dot(priors_.precisions.cwiseProduct(step)) + pull_at(step).objective);
+  }
+
+  // Where the density of the parameters is taken, and its logarithm.
+  struct Reached {
+    Eigen::VectorXd step;
+    double log_density{};
+  };
+  // The mode, if a simulation there shows what the derivatives promise; otherwise the best of what was simulated on the
+  // way to it: a hypothesis is credited with what it has shown.
+  [[nodiscard]] Reached reached_by(const Mode& mode, const Likelihood& here, const WhatIsLeft& left) const {
+    constexpr double nothing = 1.0;  // of twice the logarithm
+    Reached out{.step = Eigen::VectorXd::Zero(mode.step.size())};
+    out.log_density = log_density_at(out.step, here);
+    const double promised = here.constant - 0.5 * mode.objective;
+    if (2.0 * (promised - out.log_density) < nothing) return {.step = mode.step, .log_density = promised};
+    for (const double share : {1.0, 0.5, 0.25}) {
+      const Eigen::VectorXd step = share * mode.step;
+      const auto there = fit::evaluate_at({.hypothesis = &fitted_.hypothesis,
+                                           .runs = runs_,
+                                           .start = values_at(step),
+                                           .local_numbers_from = &fitted_.fit});
+      if (!there) continue;
+      const double shown =
+          log_density_at(step, likelihood_of(blocks_of(runs_, fitted_.fit, there->stacked_residuals), left));
+      if (shown <= out.log_density) continue;
+      out = {.step = step, .log_density = shown};
+      break;
+    }
     return out;
   }
 
@@ -304,6 +357,7 @@ class Weighing {
     return out;
   }
 
+  std::span<const replay::PreparedRun> runs_;
   const FittedHypothesis& fitted_;
   std::vector<Block> blocks_;
   Priors priors_;

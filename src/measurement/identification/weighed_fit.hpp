@@ -30,9 +30,10 @@ struct WeighedFit {
 ///   that end; the numbers of effects as prior_of_numbers() says;
 /// - what may be missing, or colour the noise, is summed over all_that_may_be_left(); what it does to the linear part
 ///   is taken from its most probable place.
-/// One mode. The linear model is as good as the fit's derivatives: a hypothesis that is far from the noise is credited
-/// with more than a fit with its discrepancy would reach, never with less. (Kass and Raftery, J. Am. Stat. Assoc. 90
-/// (1995) 773, section 4.1; Lange, Little and Taylor, J. Am. Stat. Assoc. 84 (1989) 881 on Student's t.)
+/// One mode. Where the fit's derivatives promise a higher density beside the fit, as they do far from the noise, the
+/// model is simulated there, and the hypothesis is credited with what that shows: a lower bound. (Kass and Raftery, J.
+/// Am. Stat. Assoc. 90 (1995) 773, section 4.1; Lange, Little and Taylor, J. Am. Stat. Assoc. 84 (1989) 881 on
+/// Student's t.)
 [[nodiscard]] WeighedFit weighed(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted,
                                  const actuator::RigScale& scale);
 

@@ -82,7 +82,7 @@ Errors on the runs that no fit has seen
     largest           9.1            5           1.2
 
 How sure, and what else it could be
-  These data cannot tell apart: coil_heating, magnet_heating. The first of them is reported.
+  One of these is there: less than 0.001 (coil_heating less than 0.001, magnet_heating less than 0.001). These data cannot tell which; the first is reported.
   Not to be ruled out:
     end_stop, with a probability of 0.062
   Compared, most probable first

@@ -80,6 +80,14 @@ double Posterior::probability_of(const std::vector<const EffectKind*>& effects) 
   return sum;
 }
 
+double Posterior::probability_of_any(const std::vector<const EffectKind*>& effects) const {
+  double sum = 0.0;
+  for (const WeighedHypothesis& each : hypotheses)
+    if (std::ranges::any_of(effects, [&](const EffectKind* one) { return are_among({one}, each.effects); }))
+      sum += each.probability;
+  return sum;
+}
+
 double Posterior::probability_among(const std::vector<const EffectKind*>& effects) const {
   double sum = 0.0;
   for (const WeighedHypothesis& each : hypotheses)

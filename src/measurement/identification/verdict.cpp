@@ -1,6 +1,7 @@
 #include "coilwright/measurement/identification/verdict.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "coilwright/measurement/identification/decision_thresholds.hpp"
@@ -32,11 +33,14 @@ std::size_t most_probable_among(const Posterior& posterior, const Kinds& effects
 }
 
 // Whether a hypothesis does as well as the most probable one for all that anyone would see, with numbers as rigs built
-// to their tolerances have them.
+// to their tolerances have them: it leaves noise, or hardly more of what no hypothesis takes away.
 bool is_enough(const Posterior& posterior, const WeighedHypothesis& hypothesis, const Losses& losses) {
   constexpr double negligible = decision_thresholds.least_over_noise * decision_thresholds.least_over_noise;
-  return hypothesis.chi_square <= (1.0 + negligible) * posterior.hypotheses.front().chi_square &&
-         hypothesis.probability_of_noise >= least_probability(losses.false_noise) &&
+  const WeighedHypothesis& best = posterior.hypotheses.front();
+  const double noise = least_probability(losses.false_noise);
+  if (best.probability_of_noise < noise)
+    return (1.0 - decision_thresholds.least_share) * hypothesis.chi_square <= best.chi_square;
+  return hypothesis.chi_square <= (1.0 + negligible) * best.chi_square && hypothesis.probability_of_noise >= noise &&
          hypothesis.probability_of_declared >= decision_thresholds.least_probability;
 }
 
@@ -64,29 +68,58 @@ std::size_t reported_of(const Posterior& posterior, const Losses& losses) {
   return out;
 }
 
+constexpr double held = 0.95;
+
 // Of the most probable that hold 95 % together those that lack a reported effect.
+// What only adds effects to another rival is none of its own.
 std::vector<std::size_t> rivals_of(const Posterior& posterior, const Kinds& reported) {
-  constexpr double held = 0.95;
-  std::vector<std::size_t> out;
+  std::vector<std::size_t> all;
   double sum = 0.0;
   for (std::size_t i = 0; i < posterior.hypotheses.size() && sum < held; ++i) {
     sum += posterior.hypotheses[i].probability;
-    if (!are_among(reported, posterior.hypotheses[i].effects)) out.push_back(i);
+    if (!are_among(reported, posterior.hypotheses[i].effects)) all.push_back(i);
   }
+  std::vector<std::size_t> out;
+  std::ranges::copy_if(all, std::back_inserter(out), [&](std::size_t one) {
+    const Kinds& effects = posterior.hypotheses[one].effects;
+    return std::ranges::none_of(all, [&](std::size_t other) {
+      const Kinds& fewer = posterior.hypotheses[other].effects;
+      return !fewer.empty() && fewer.size() < effects.size() && are_among(fewer, effects);
+    });
+  });
   return out;
 }
 
-// For each reported effect the others that could replace it.
-std::vector<Kinds> indistinguishable_sets(const Posterior& posterior, const Kinds& reported,
-                                          const std::vector<std::size_t>& rivals) {
+// The effect that most of the probability of some hypotheses has, beside reported ones; null where none has anything.
+const EffectKind* most_common(const std::vector<const WeighedHypothesis*>& among, const Kinds& reported,
+                              double& probability) {
+  Posterior some;
+  for (const WeighedHypothesis* each : among) some.hypotheses.push_back(*each);
+  for (const Posterior::Inclusion& each : some.effects())
+    for (const WeighedHypothesis* hypothesis : among)
+      for (const EffectKind* kind : hypothesis->effects)
+        if (kind->id() == each.effect && !has(reported, kind)) {
+          probability = each.probability;
+          return kind;
+        }
+  return nullptr;
+}
+
+// For each reported effect the others that could be there in its place: as few as leave next to nothing to hypotheses
+// with neither. What only accompanies another in them replaces nothing.
+std::vector<Kinds> indistinguishable_sets(const Posterior& posterior, const Kinds& reported) {
   std::vector<Kinds> sets;
   for (const EffectKind* kind : reported) {
     Kinds set{kind};
-    for (const std::size_t rival : rivals) {
-      const Kinds& there = posterior.hypotheses[rival].effects;
-      if (has(there, kind)) continue;
-      for (const EffectKind* other : there)
-        if (!has(reported, other) && !has(set, other)) set.push_back(other);
+    while (true) {
+      std::vector<const WeighedHypothesis*> without_any;
+      for (const WeighedHypothesis& each : posterior.hypotheses)
+        if (std::ranges::none_of(set, [&](const EffectKind* one) { return has(each.effects, one); }))
+          without_any.push_back(&each);
+      double held_there = 0.0;
+      const EffectKind* next = most_common(without_any, reported, held_there);
+      if (next == nullptr || held_there < 1.0 - held) break;
+      set.push_back(next);
     }
     if (set.size() > 1) sets.push_back(std::move(set));
   }
@@ -117,7 +150,7 @@ Answer answer_of(const Posterior& posterior, const Losses& losses) {
   Answer out{.reported = reported_of(posterior, losses)};
   const WeighedHypothesis& reported = posterior.hypotheses[out.reported];
   out.rivals = rivals_of(posterior, reported.effects);
-  out.indistinguishable = indistinguishable_sets(posterior, reported.effects, out.rivals);
+  out.indistinguishable = indistinguishable_sets(posterior, reported.effects);
   out.leaves_noise = reported.probability_of_noise >= least_probability(losses.false_noise);
   return out;
 }

@@ -191,9 +191,13 @@ bool has_unseen_effects(const Diagnosis& diagnosis) {
 
 std::string rivals_text(const Diagnosis& diagnosis) {
   std::string text;
-  for (const auto& set : diagnosis.indistinguishable)
-    text +=
-        fmt::format("  These data cannot tell apart: {}. The first of them is reported.\n", fmt::join(ids(set), ", "));
+  for (const auto& set : diagnosis.indistinguishable) {
+    std::vector<std::string> names;
+    for (const actuator::EffectKind* kind : set)
+      names.push_back(fmt::format("{} {}", kind->id(), probability_text(diagnosis.odds.probability_of_any({kind}))));
+    text += fmt::format("  One of these is there: {} ({}). These data cannot tell which; the first is reported.\n",
+                        probability_text(diagnosis.odds.probability_of_any(set)), fmt::join(names, ", "));
+  }
   const std::string near = near_rivals_text(diagnosis);
   const std::string alive = alive_text(diagnosis);
   text += near + alive;

@@ -21,7 +21,9 @@ const EffectKind* const loop = kind("hysteresis");
 const EffectKind* const drag = kind("quadratic_drag");
 
 WeighedHypothesis with(std::vector<const EffectKind*> effects, double probability, double of_noise = 1.0) {
-  return {.effects = std::move(effects), .probability = probability, .probability_of_noise = of_noise};
+  const double left = 100.0 / (1.0 + static_cast<double>(effects.size()));
+  return {
+      .effects = std::move(effects), .chi_square = left, .probability = probability, .probability_of_noise = of_noise};
 }
 
 // Of 10,000 values; what was left out of it moved so much, over the noise.
@@ -63,6 +65,29 @@ TEST(Answer, StatesWhatMayBeThereInThePlaceOfAnEffect) {
   EXPECT_EQ(answer.reported, 0u);
   EXPECT_EQ(answer.rivals, std::vector<std::size_t>{1});  // both hold 96 %
   EXPECT_EQ(answer.indistinguishable, (std::vector<std::vector<const EffectKind*>>{{friction, loop}}));
+}
+
+// Without the friction it is the loop, whatever else is there with it.
+TEST(Answer, StatesNothingThatOnlyAccompaniesAnother) {
+  const Posterior posterior{.hypotheses = {with({friction}, 0.64), with({loop}, 0.24), with({loop, drag}, 0.06),
+                                           with({loop, kind("force_gain")}, 0.05), with({}, 0.01)}};
+  const Answer answer = answer_of(posterior);
+  EXPECT_EQ(answer.indistinguishable, (std::vector<std::vector<const EffectKind*>>{{friction, loop}}));
+  EXPECT_DOUBLE_EQ(posterior.probability_of_any(answer.indistinguishable.front()), 0.99);
+  EXPECT_EQ(answer.rivals, std::vector<std::size_t>{1});  // of three that hold 95 % with the first
+}
+
+// Twice the noise is left, of which the drag takes away 4 %.
+TEST(Answer, LeavesOutWhatTakesAwayNextToNothingOfWhatIsNoNoise) {
+  const auto leaving = [](std::vector<const EffectKind*> effects, double probability, double chi_square) {
+    return WeighedHypothesis{.effects = std::move(effects), .chi_square = chi_square, .probability = probability};
+  };
+  EXPECT_EQ(reported({.hypotheses = {leaving({friction, drag}, 0.99, 3840.0), leaving({friction}, 0.01, 4000.0),
+                                     leaving({}, 0.0, 9000.0)}}),
+            std::vector{friction});
+  EXPECT_EQ(reported({.hypotheses = {leaving({friction, drag}, 0.99, 3760.0), leaving({friction}, 0.01, 4000.0),
+                                     leaving({}, 0.0, 9000.0)}}),
+            (std::vector{friction, drag}));
 }
 
 TEST(Answer, TakesAnEffectWithFurtherNumbersForTheSame) {

@@ -10,6 +10,8 @@ struct DecisionThresholds {
   double least_probability = 0.01;
   /// What has a smaller standard deviation, over that of the noise, changes nothing that anyone would see.
   double least_over_noise = 0.1;
+  /// Where what is left is no noise, what takes away less than this share of its squares is no answer to it.
+  double least_share = 0.05;
 };
 inline constexpr DecisionThresholds decision_thresholds{};
 

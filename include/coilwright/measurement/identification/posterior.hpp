@@ -50,6 +50,8 @@ struct Posterior {
   [[nodiscard]] std::vector<const actuator::EffectKind*> not_tested() const;
   /// The probability of just these effects together, in any order, whatever their further numbers.
   [[nodiscard]] double probability_of(const std::vector<const actuator::EffectKind*>& effects) const;
+  /// The probability that at least one of these effects is there.
+  [[nodiscard]] double probability_of_any(const std::vector<const actuator::EffectKind*>& effects) const;
   /// The probability of all hypotheses that have none but these effects.
   [[nodiscard]] double probability_among(const std::vector<const actuator::EffectKind*>& effects) const;
 };

@@ -34,7 +34,8 @@ struct Answer {
   std::size_t reported{};  ///< the hypothesis whose effects are named
   std::vector<std::size_t>
       rivals{};  ///< of the most probable that hold 95 % together, those without one of its effects
-  /// For each reported effect that has them, it and then the effects that may be there in its place.
+  /// For each reported effect that has them, it and then the effects that may be there in its place: of the hypotheses
+  /// with none of those before, each is in the most, by probability, and in 5 % of all at least.
   std::vector<std::vector<const actuator::EffectKind*>> indistinguishable{};
   bool leaves_noise{};  ///< whether what the reported hypothesis leaves is called noise
 };
@@ -43,7 +44,9 @@ struct Answer {
 /// 1 / (1 + false_name), by all hypotheses that have no more than the others, is not named. Nor is one, however
 /// certain, that changes nothing anyone would see (DecisionThresholds::least_over_noise): the most probable of the
 /// others leaves hardly more variance than the most probable of all, it is noise, and its declared numbers are credible
-/// (DecisionThresholds::least_probability). `posterior` has at least the hypothesis of no effect.
+/// (DecisionThresholds::least_probability). Where the most probable of all leaves more than noise, neither is one named
+/// that takes away less than DecisionThresholds::least_share of what the others leave. `posterior` has at least the
+/// hypothesis of no effect.
 [[nodiscard]] Answer answer_of(const Posterior& posterior, const Losses& losses = {});
 
 /// The verdict of an answer. `numbers_are_off`: whether declared numbers of the model without effects are.

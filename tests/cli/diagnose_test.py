@@ -76,7 +76,7 @@ class Diagnose(ProgramTest):
         self.assertEqual({path.name for path in (self.folder / "out").iterdir()},
                          {"diagnosis.json", "actuator.json", "residuals.csv", "summary.txt", "provenance.json"})
         self.assertEqual(result.stdout, (self.folder / "out" / "summary.txt").read_text())
-        self.assertIn("best with 1 effect: dry_friction", result.stderr)  # progress
+        self.assertIn("the most probable so far: dry_friction", result.stderr)  # progress
         found = self.result("out/diagnosis.json")
         self.assertEqual((found["format"], found["verdict"]), ("diagnosis/1", "explained"))
         self.assertEqual([effect["id"] for effect in found["effects"]], ["dry_friction"])

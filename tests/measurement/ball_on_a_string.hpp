@@ -12,8 +12,8 @@
 
 namespace coilwright::measurement {
 
-// A ball on a string that is let go: m l^2 theta'' = -m g l sin(theta) - d theta', by Runge and Kutta in steps of 0.1
-// ms.
+// A ball on a string that is let go: m l^2 theta'' = -m g l sin(theta) - d theta' - f sign(theta') - q theta' |theta'|,
+// by Runge and Kutta in steps of 0.1 ms.
 struct Ball {
   double length = 0.332;   // m
   double damping = 6e-5;   // N m s/rad
@@ -21,6 +21,8 @@ struct Ball {
   double rate = 0.0;       // rad/s
   double mass = 0.015;     // kg
   double noise = 0.00873;  // rad
+  double friction = 0.0;   // N m
+  double drag = 0.0;       // N m s2/rad2
 
   [[nodiscard]] data::Run filmed(double duration, double pictures_a_second, unsigned seed) const {
     data::Run run{.name = "swing.csv",
@@ -31,7 +33,8 @@ struct Ball {
     Normal normal(seed);
     const double inertia = mass * length * length;
     const auto acceleration = [&](double theta, double omega) {
-      return -9.81 / length * std::sin(theta) - damping / inertia * omega;
+      const double braking = damping * omega + std::copysign(friction, omega) + drag * omega * std::abs(omega);
+      return -9.81 / length * std::sin(theta) - braking / inertia;
     };
     double theta = angle;
     double omega = rate;

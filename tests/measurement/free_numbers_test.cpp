@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "coilwright/measurement/diagnosis.hpp"
@@ -55,6 +56,23 @@ TEST(FreeNumbers, LeadToTheSameAnswerInAnyOrderOfTheRunsAndFromAnySeed) {
     std::ranges::reverse(runs);
     expect_nothing_missing(diagnosed(std::move(runs), 1.02 * true_length, 1e-6, seed));
   }
+}
+
+// Friction and drag together slow a swing as a damping does that is fitted: each alone improves little, and their
+// directions beside the fitted damping lead nowhere.
+TEST(FreeNumbers, DoNotHideTwoEffectsThatImitateThemTogether) {
+  data::Dataset data;
+  unsigned seed = 3;
+  for (const double angle : true_angles) {
+    data.fit.push_back(Ball{.damping = 1e-7, .angle = angle, .noise = 0.001, .friction = 3e-5, .drag = 1.6e-5}.filmed(
+        30.0, 30.0, ++seed));
+    data.fit.back().name = fmt::format("swing_{}.csv", angle);
+  }
+  const Diagnosis found = diagnose(data, declared_ball(true_length, 1e-4).model, {.threads = 2});
+  std::vector<std::string> names;
+  for (const AddedEffect& each : found.effects) names.emplace_back(each.kind->id());
+  std::ranges::sort(names);
+  EXPECT_EQ(names, (std::vector<std::string>{"dry_friction", "quadratic_drag"}));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iterator>
@@ -12,20 +13,19 @@
 
 #include "coilwright/measurement/identification/decision_thresholds.hpp"
 #include "measurement/fit/outliers.hpp"
+#include "measurement/fit/parallel.hpp"
+#include "measurement/identification/first_fits.hpp"
 #include "measurement/identification/hypothesis_extension.hpp"
-#include "measurement/identification/joint_screening.hpp"
-#include "measurement/identification/larger_hypotheses.hpp"
-#include "measurement/identification/level_fits.hpp"
+#include "measurement/identification/hypothesis_table.hpp"
 #include "measurement/identification/linear_screening.hpp"
 #include "measurement/identification/model_error.hpp"
-#include "measurement/identification/other_optima.hpp"
-#include "measurement/identification/posterior.hpp"
 #include "measurement/identification/recalibration.hpp"
 #include "measurement/identification/rig_scale.hpp"
 #include "measurement/identification/search_effort.hpp"
-#include "measurement/identification/settled_fits.hpp"
+#include "measurement/identification/search_starts.hpp"
 #include "measurement/identification/settled_model_error.hpp"
 #include "measurement/identification/staged_fit.hpp"
+#include "measurement/identification/started_fits.hpp"
 #include "measurement/identification/window_subsample.hpp"
 
 namespace coilwright::measurement::identification {
@@ -37,18 +37,13 @@ using actuator::Model;
 
 using Screened = std::vector<ScreenedEffect>;
 
-const FittedHypothesis& nearest_or(const HypothesesOfSize& level, const FittedHypothesis& fallback) {
-  const FittedHypothesis* best = nearest(level);
-  return best == nullptr ? fallback : *best;
-}
-
 std::string names(const FittedHypothesis& fitted) {
   std::string out;
   for (const EffectKind* kind : fitted.kinds()) {
     if (!out.empty()) out += " + ";
     out += kind->id();
   }
-  return out;
+  return out.empty() ? "no effect" : out;
 }
 
 std::string effects_text(std::size_t count) {
@@ -77,15 +72,13 @@ ApplicableKinds applicable_kinds(const actuator::EffectCatalogue& catalogue, con
 
 class HypothesisSearch {
  public:
-  // While `may_find_outliers`, the search ends where the best hypothesis of a size shows more of them. While
+  // While `may_find_outliers`, the search ends where the heaviest hypothesis shows more of them. While
   // `may_weigh_priors`, the runs get the model error of the recalibrated model if that is far from the noise, and long
   // records are searched in part.
-  // `singles`: where a comparison with these outliers had its single effects.
-  // `known`: where its fits ended; they start another comparison, too.
+  // `known`: where the fits of a comparison ended; they start another one, too.
   HypothesisSearch(const AttributionRequest& request, bool may_find_outliers, bool may_weigh_priors,
-                   std::vector<Effect>& singles, std::vector<KnownPlace>& known)
+                   std::vector<KnownPlace>& known)
       : request_(request),
-        singles_(singles),
         known_(known),
         runs_(request.runs),
         may_find_outliers_(may_find_outliers),
@@ -93,40 +86,31 @@ class HypothesisSearch {
 
   // Nothing if more outliers were set aside.
   std::optional<Attribution> run() {
-    FittedHypothesis before = may_weigh_priors_ ? recalibrated_at_its_error(request_.runs, *request_.declared)
-                                                : recalibrated(request_.runs, *request_.declared);
+    const FittedHypothesis before = may_weigh_priors_ ? recalibrated_at_its_error(request_.runs, *request_.declared)
+                                                      : recalibrated(request_.runs, *request_.declared);
     const Model nominal = before.hypothesis.model_at(before.fit.values);
     scale_ = rig_scale(runs_, nominal);
     ApplicableKinds applicable = applicable_kinds(request_.effects, nominal);
     kinds_ = std::move(applicable.kinds);
     tested_ = kinds_;
     recalibrated_ = &before;
-    if (request_.known) request_.known(before, first_impressions(before, {}, kinds_, request_.beliefs, 1.0));
     report(fmt::format("recalibrated: rms residual {:.3g} times the noise", before.whiteness.level));
     const std::optional<FittedHypothesis> on_some = on_subsample_if_far(before);
-    compared_with_ = on_some ? &*on_some : &before;
-
-    std::vector<FittedHypothesis> all = settled_from(on_some ? *on_some : before, compare_levels(*compared_with_));
-    if (found_outliers_) return std::nullopt;
+    begin_table(on_some ? *on_some : before);
+    make_known();
+    compare();
     std::vector<RuledOut> on_some_only;
-    if (on_some) {
-      all.erase(all.begin());
-      const std::vector<FittedHypothesis> best = split_off_the_best(all, overdispersion_);
-      for (const FittedHypothesis& each : std::exchange(all, back_on_all_windows(best)))
-        on_some_only.push_back(
-            {.effects = each.kinds(),
-             .remark = fmt::format("was fitted to {} only, where others are better", subsample_->text())});
-      all = settled_from(before, std::move(all));
-    }
-    before = all.front();
-    all.erase(all.begin());
-    WeighedHypotheses weighed = posterior_of(runs_, before, all, kinds_, scale_, request_.beliefs);
-    const auto fit_of = [&](std::size_t place) -> const FittedHypothesis& {
-      return weighed.fits[place] == 0 ? before : all[weighed.fits[place] - 1];
-    };
+    if (on_some && !found_outliers_) on_some_only = back_on_all_windows(before);
+    remember();
+    if (found_outliers_) return std::nullopt;
+
+    WeighedHypotheses weighed = table_->posterior();
     Answer answer = answer_of(weighed.posterior);
-    Attribution out{.before = before, .after = fit_of(answer.reported), .kinds = tested_, .scale = scale_};
-    for (const std::size_t rival : answer.rivals) out.rivals.push_back(fit_of(rival));
+    Attribution out{.before = table_->best_of({})->fitted,
+                    .after = *weighed.fits[answer.reported],
+                    .kinds = tested_,
+                    .scale = scale_};
+    for (const std::size_t rival : answer.rivals) out.rivals.push_back(*weighed.fits[rival]);
     out.posterior = std::move(weighed.posterior);
     out.weighed = std::move(weighed.weighed);
     out.answer = std::move(answer);
@@ -140,77 +124,42 @@ class HypothesisSearch {
     if (request_.progress) request_.progress(line);
   }
 
-  // All hypotheses of one effect, two, ..., until one leaves white noise or another effect is not worth its runs.
-  std::vector<FittedHypothesis> compare_levels(const FittedHypothesis& before) {
-    Screened screened = screen(before);
-    leave_out_untested(screened);
-    HypothesesOfSize level = single_effects(before, screened);
-    std::vector<FittedHypothesis> all;
-    overdispersion_ = overdispersion_of(runs_, nearest_or(level, before));
-    double above_noise = before.chi_square_above_noise();
-    double of_the_size_before = before.fit.objective();
-    for (std::size_t size = 1;; ++size) {
-      sort(level);
-      // Asked before runs are spent on the best of this level, and again of what these find.
-      if (shows_more_outliers(level)) break;
-      if (is_worth_other_starts(before, level, of_the_size_before))
-        level = at_better_optima(std::move(level), of_the_size_before, size);
-      if (!level.empty()) {
-        const FittedHypothesis& best = level.front();
-        overdispersion_ = std::min(overdispersion_, overdispersion_of(runs_, best));
-        report(fmt::format("best with {}: {}: rms residual {:.3g} times the noise, whiteness ratio {:.2g}",
-                           effects_text(size), names(best), best.whiteness.level, best.whiteness.structure));
-      }
-      if (shows_more_outliers(level)) break;
-      all.insert(all.end(), level.begin(), level.end());
-      // Where declared numbers alone leave noise, two effects would only share what the integrator leaves: a lag and
-      // its opposite delay of 13 microseconds each "gained" 60 on a noisy torque.
-      if (before.whiteness.is_white()) break;
-      if (leaves_noise(level)) {
-        fit_what_may_hold_weight(before, screened, all);
-        break;
-      }
-      if (size == search_effort.largest_hypothesis) break;
-      const double left = level.empty() ? above_noise : level.front().chi_square_above_noise();
-      const bool worth_extending = size == 1 || left <= search_effort.worth_another_effect * above_noise;
-      std::vector<ScreenedCombination> combined =
-          combinations_by_predicted_fall(before, screened, size + 1, search_effort.combinations);
-      // Where one effect more is not worth its runs, only effects that help together are.
-      if (!worth_extending)
-        std::erase_if(combined, [&](const ScreenedCombination& each) {
-          return before.chi_square_above_noise() - each.predicted_chi_square_fall >
-                 search_effort.worth_another_effect * left;
-        });
-      above_noise = left;
-      HypothesesOfSize next =
-          larger_hypotheses(before, worth_extending ? level : HypothesesOfSize{}, of_the_size_before, combined);
-      if (next.empty()) break;
-      of_the_size_before = nearest_or(level, before).fit.objective();
-      level = std::move(next);
-    }
-    return all;
+  void begin_table(const FittedHypothesis& without) {
+    table_ = std::make_unique<HypothesisTable>(
+        Comparison{.runs = runs_, .kinds = kinds_, .beliefs = request_.beliefs, .scale = scale_});
+    table_->add({without}, true);
   }
 
-  // See settled(); the model without effects first.
-  [[nodiscard]] std::vector<FittedHypothesis> settled_from(const FittedHypothesis& before,
-                                                           std::vector<FittedHypothesis> all) {
-    all.insert(all.begin(), before);
-    if (!found_outliers_)
-      all = settled({.runs = runs_,
-                     .tested = tested_,
-                     .kinds = kinds_,
-                     .beliefs = request_.beliefs,
-                     .scale = scale_,
-                     .known = known_,
-                     .progress = [this](const std::string& line) { report(line); }},
-                    std::move(all));
-    else
-      std::ranges::stable_sort(all, {}, [](const FittedHypothesis& each) { return each.fit.objective(); });
+  // Every effect alone, and then what the table suggests, until nothing promises SearchEffort::least_weight.
+  void compare() {
+    const FittedHypothesis& without = table_->entries().front().fitted;
+    Screened screened = screen_effects(runs_, without, {.kinds = tested_, .scale = scale_});
+    leave_out_untested(screened);
+    fit_single_effects(without, screened);
+    settle(screened, true);
+  }
+
+  // `extends`: with other optima and larger hypotheses.
+  void settle(std::span<const ScreenedEffect> screened, bool extends) {
+    SearchStarts starts(
+        *table_, {.tested = tested_, .screened = screened, .known = known_, .seed = request_.seed, .extends = extends});
+    while (true) {
+      while (continue_promising(*table_)) {
+      }
+      make_known();
+      const TableEntry& best = *table_->hypotheses().front();
+      report(fmt::format("{} hypotheses fitted, the most probable so far: {}, {:.3g} times the noise",
+                         table_->hypotheses().size(), names(best.fitted), best.fitted.whiteness.level));
+      if (shows_more_outliers()) return;
+      if (table_->hypotheses().size() >= search_effort.most_hypotheses || !fit_from(starts.next(), *table_)) break;
+    }
+  }
+
+  void remember() {
     known_.clear();
-    for (const FittedHypothesis& each : all)
-      if (known_.size() < search_effort.heaviest)
-        known_.push_back({.effects = each.hypothesis.effects_at(each.fit.values), .values = each.fit.values});
-    return all;
+    for (const TableEntry* each : table_->hypotheses())
+      known_.push_back(
+          {.effects = each->fitted.hypothesis.effects_at(each->fitted.fit.values), .values = each->fitted.fit.values});
   }
 
   // What these records do not test is in no hypothesis. That it may be on the rig is not less probable for that: the
@@ -229,58 +178,36 @@ class HypothesisSearch {
     report(fmt::format("{} not tested by these records", effects_text(untested.size())));
   }
 
-  // An answer is there: see larger_hypotheses_with_weight.
-  void fit_what_may_hold_weight(const FittedHypothesis& before, const Screened& screened,
-                                std::vector<FittedHypothesis>& all) {
-    const std::vector<PlannedExtension> planned = larger_hypotheses_with_weight(
-        {.before = before,
-         .all = all,
-         .screened = screened,
-         .screen = [this](const FittedHypothesis& base) { return screen(base); },
-         .weight = {.kinds = kinds_, .beliefs = request_.beliefs, .overdispersion = overdispersion_}});
-    if (planned.empty()) return;
-    report(fmt::format("{} larger hypotheses may hold weight", planned.size()));
-    HypothesesOfSize fitted = best_of(planned, planned.size());
-    all.insert(all.end(), std::make_move_iterator(fitted.begin()), std::make_move_iterator(fitted.end()));
+  void fit_single_effects(const FittedHypothesis& without, const Screened& screened) {
+    std::vector<PlannedExtension> planned;
+    for (const EffectKind* kind : tested_) {
+      PlannedExtension each = one_more(without, kind, screened, search_effort.own_starts);
+      const auto known = std::ranges::find_if(known_, [&](const KnownPlace& place) {
+        return place.effects.size() == 1 && place.effects.front().kind == kind;
+      });
+      if (known != known_.end()) {
+        each.starts.resize(std::min<std::size_t>(each.starts.size(), 1));
+        each.starts.push_back(known->effects);
+        each.further_starts.clear();
+      }
+      planned.push_back(std::move(each));
+    }
+    std::size_t reported = 0;
+    FirstFits found = first_fits(runs_, planned, [&](std::size_t done) {
+      if (done % 8 == 0 && done != reported) report(fmt::format("{} of {} effects compared", done, planned.size()));
+      reported = done;
+    });
+    table_->add(std::move(found.fits), false);
+    std::ranges::move(found.failed, std::back_inserter(failed_));
   }
 
-  void sort(HypothesesOfSize& level) const {
-    std::ranges::stable_sort(level, {},
-                             [this](const FittedHypothesis& each) { return quasi_bic(each, overdispersion_); });
-  }
-
-  // See with_better_optima; sorted again.
-  [[nodiscard]] HypothesesOfSize at_better_optima(HypothesesOfSize level, double of_the_size_before, std::size_t size) {
-    level = with_better_optima(
-        runs_, std::move(level), of_the_size_before, scale_, request_.seed, [&](std::size_t place, std::size_t of) {
-          report(fmt::format("other starts of the best with {}: {} of {}", effects_text(size), place, of));
-        });
-    sort(level);
-    return level;
-  }
-
-  // Where the model without effects leaves noise and the best of a level (sorted) is not decisively better, other
-  // optima of it would only fit the noise. Where it leaves much and no hypothesis of the level explains more than next
-  // to nothing of that, effects were tried from starts of their own already.
-  [[nodiscard]] bool is_worth_other_starts(const FittedHypothesis& before, const HypothesesOfSize& level,
-                                           double of_the_size_before) const {
-    if (level.empty()) return false;
-    if (before.whiteness.is_white()) return is_decisive(before, level.front());
-    const double explained = of_the_size_before - nearest(level)->fit.objective();
-    return leaves_noise(level) || explained >= search_effort.next_to_nothing * before.chi_square_above_noise();
-  }
-
-  [[nodiscard]] bool is_decisive(const FittedHypothesis& before, const FittedHypothesis& best) const {
-    return quasi_bic(before, overdispersion_) - quasi_bic(best, overdispersion_) >= decision_thresholds.decisive_gain;
-  }
-
-  // Whether the best of a level (sorted) shows samples that no motion can show, and enough of them to begin anew; they
+  // Whether the heaviest hypothesis shows samples that no motion can show, and enough of them to begin anew; they
   // are set aside then. Outliers hide others: what they pulled away is fitted again without them until it shows no
   // more, as a whole comparison for each such step would take minutes and find the same samples.
-  [[nodiscard]] bool shows_more_outliers(const HypothesesOfSize& level) {
+  [[nodiscard]] bool shows_more_outliers() {
     constexpr int most_steps = 4;
-    if (!may_find_outliers_ || level.empty() || leaves_noise(level)) return false;
-    FittedHypothesis best = level.front();
+    if (!may_find_outliers_ || table_->leaves_noise()) return false;
+    FittedHypothesis best = table_->hypotheses().front()->fitted;
     for (int step = 0; step < most_steps; ++step) {
       if (!fit::set_outliers_aside_if_much(runs_, best.fit)) break;
       found_outliers_ = true;
@@ -309,109 +236,44 @@ class HypothesisSearch {
     return there;
   }
 
-  [[nodiscard]] std::vector<FittedHypothesis> back_on_all_windows(const std::vector<FittedHypothesis>& best) {
+  // The heaviest hypotheses go on with all windows.
+  [[nodiscard]] std::vector<RuledOut> back_on_all_windows(const FittedHypothesis& before) {
+    std::vector<FittedHypothesis> best;
+    std::vector<RuledOut> others;
+    for (const TableEntry* each : table_->hypotheses()) {
+      if (each->fitted.hypothesis.effects().empty()) continue;
+      if (best.size() < search_effort.judged_on_all)
+        best.push_back(each->fitted);
+      else
+        others.push_back({.effects = each->fitted.kinds(),
+                          .remark = fmt::format("was fitted to {} only, where others are better", subsample_->text())});
+    }
     runs_ = request_.runs;
     report(fmt::format("the best {} hypotheses are fitted to all windows", best.size()));
-    std::vector<FittedHypothesis> all = subsample_->on_all(best);
-    if (const FittedHypothesis* nearest_of_all = nearest(all))
-      overdispersion_ = overdispersion_of(runs_, *nearest_of_all);
-    return all;
+    begin_table(before);
+    known_.clear();
+    table_->add(subsample_->on_all(best), true);
+    settle({}, false);
+    return others;
   }
 
-  [[nodiscard]] Screened screen(const FittedHypothesis& base) const {
-    return screen_effects(runs_, base, {.kinds = tested_, .scale = scale_});
-  }
-
-  // Every effect alone.
-  [[nodiscard]] HypothesesOfSize single_effects(const FittedHypothesis& base, const Screened& screened) {
-    std::vector<PlannedExtension> planned;
-    for (const EffectKind* kind : tested_) {
-      PlannedExtension each = one_more(base, kind, screened, search_effort.own_starts);
-      const auto known = std::ranges::find(singles_, kind, &Effect::kind);
-      if (known != singles_.end()) {
-        each.starts.resize(std::min<std::size_t>(each.starts.size(), 1));
-        each.starts.push_back({*known});
-        each.further_starts.clear();
-      }
-      planned.push_back(std::move(each));
-    }
-    HypothesesOfSize out = best_of(planned, search_effort.refined_singles);
-    singles_.clear();
-    for (const FittedHypothesis& each : out) singles_.push_back(each.hypothesis.effects_at(each.fit.values).front());
-    return out;
-  }
-
-  // Hypotheses with one effect more than those of `level` (sorted, best first), and `combined` effects added to `base`.
-  [[nodiscard]] HypothesesOfSize larger_hypotheses(const FittedHypothesis& base, const HypothesesOfSize& level,
-                                                   double of_the_size_before,
-                                                   const std::vector<ScreenedCombination>& combined) {
-    std::vector<PlannedExtension> planned;
-    for (const std::size_t i : contenders(level, of_the_size_before, search_effort.beam)) {
-      const Screened more = screen(level[i]);
-      // What the numbers of a base have taken up of an effect the screening does not see: near the noise the best is
-      // extended by each.
-      if (i == 0 && !is_far_from_noise(level[i])) {
-        for (const EffectKind* kind : kinds_beside(level[i]))
-          planned.push_back(one_more(level[i], kind, more, search_effort.own_starts_of_more));
-        continue;
-      }
-      for (const EffectKind* kind : kinds_by_predicted_fall(more, search_effort.extensions))
-        planned.push_back(one_more(level[i], kind, more));
-    }
-    for (const ScreenedCombination& each : combined) planned.push_back({.base = &base, .starts = {each.effects}});
-    return best_of(without_repetitions(std::move(planned)), search_effort.refined_extensions);
-  }
-
-  [[nodiscard]] std::vector<const EffectKind*> kinds_beside(const FittedHypothesis& base) const {
-    std::vector<const EffectKind*> out;
-    std::ranges::copy_if(tested_, std::back_inserter(out),
-                         [&](const EffectKind* kind) { return !are_among({kind}, base.kinds()); });
-    return out;
-  }
-
-  // See fit_level.
-  [[nodiscard]] HypothesesOfSize best_of(const std::vector<PlannedExtension>& planned, std::size_t refined) {
-    std::size_t reported = 0;
-    LevelFits fits = fit_level(runs_, planned, refined, [&](std::size_t done, const ShortFit* latest) {
-      if (latest != nullptr && request_.known) make_known(*latest);
-      if (done % 8 == 0 && done != reported) report(fmt::format("{} of {} hypotheses compared", done, planned.size()));
-      reported = done;
-    });
-    std::ranges::move(fits.failed, std::back_inserter(failed_));
-    return std::move(fits.level);
-  }
-
-  // Of starts with several discrete choices the best one stands for the hypothesis.
-  void make_known(const ShortFit& fit) {
-    const FittedHypothesis fitted = score(runs_, fit.plan.hypothesis, fit.fitted);
-    FirstImpression latest{.effects = fitted.kinds(),
-                           .chi_square = fitted.fit.chi_square,
-                           .criterion = quasi_bic(fitted, overdispersion_)};
-    const auto known = std::ranges::find(so_far_, latest.effects, &FirstImpression::effects);
-    if (known == so_far_.end())
-      so_far_.push_back(std::move(latest));
-    else if (latest.criterion < known->criterion)
-      *known = std::move(latest);
-    request_.known(*recalibrated_,
-                   first_impressions(*compared_with_, so_far_, kinds_, request_.beliefs, overdispersion_));
+  void make_known() {
+    if (request_.known) request_.known(*recalibrated_, table_->posterior().posterior);
   }
 
   const AttributionRequest& request_;
-  std::vector<Effect>& singles_;
   std::vector<KnownPlace>& known_;
   const FittedHypothesis* recalibrated_ = nullptr;
-  const FittedHypothesis* compared_with_ = nullptr;  // the same on the windows of the search
-  std::vector<FirstImpression> so_far_;              // by short fits
-  std::unique_ptr<WindowSubsample> subsample_;       // null where the search uses all
-  std::span<replay::PreparedRun> runs_;              // with all windows, or some
+  std::unique_ptr<WindowSubsample> subsample_;  // null where the search uses all
+  std::span<replay::PreparedRun> runs_;         // with all windows, or some
   actuator::RigScale scale_;
   std::vector<const EffectKind*> kinds_;   // that this rig may have
   std::vector<const EffectKind*> tested_;  // and that show in these records
+  std::unique_ptr<HypothesisTable> table_;
   std::vector<RuledOut> failed_, untested_;
   bool may_find_outliers_;
   bool may_weigh_priors_;
   bool found_outliers_ = false;
-  double overdispersion_ = 1.0;
 };
 
 }  // namespace
@@ -423,11 +285,10 @@ Attribution attribute(const AttributionRequest& request) {
   };
   int restarts = 0;
   bool may_weigh_priors = true;
-  std::vector<Effect> singles;
   std::vector<KnownPlace> known;
   while (true) {
     std::optional<Attribution> found =
-        HypothesisSearch(request, restarts < most_restarts, may_weigh_priors, singles, known).run();
+        HypothesisSearch(request, restarts < most_restarts, may_weigh_priors, known).run();
     if (!found) {
       say("more outliers are certain now: the comparison begins anew without them");
       ++restarts;
@@ -439,7 +300,6 @@ Attribution attribute(const AttributionRequest& request) {
       say("far less is left over than without effects: the comparison begins anew, weighed by what is left");
       set_model_error(request.runs, left);
       may_weigh_priors = false;
-      singles.clear();
       continue;
     }
     return with_settled_model_error(request.runs, std::move(*found));

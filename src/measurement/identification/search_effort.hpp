@@ -57,46 +57,40 @@ struct SearchEffort {
   fit::FitEffort converged{.iterations = 25, .tolerance = 1e-4};
   /// The same for a hypothesis whose numbers are reported.
   fit::FitEffort exact{.iterations = 25, .tolerance = 1e-5};
-  /// Number of single effects whose short fit is continued to convergence; the others are too far behind.
-  std::size_t refined_singles = 6;
-  /// Of hypotheses of one size the best two, and those that explain at least this fraction of what the best explains of
-  /// the residual of the size before, are worth more runs (convergence, other starts, another effect). What explains
-  /// less is no nearer to an answer than the size before, whose combinations are tried too. Once a short fit has led to
-  /// noise, an effect of which the screening promises less than this fraction of what that explains gets no other
-  /// starts: the screening falls short of a true effect by factors of up to four.
+  /// An effect of which the screening promises less than this fraction of what the best short fit of an effect explains
+  /// gets no other starts: the screening falls short of a true effect by factors of up to four.
   double worth_more_runs = 0.1;
-  /// Number of hypotheses of one size that are extended by one more effect (beam width).
-  std::size_t beam = 5;
-  /// Number of effects, in order of their predicted fall of chi-square, by which each of them is extended.
-  std::size_t extensions = 6;
-  /// Number of pairs, and of triples, that are tried at once whatever their parts explain alone.
+  /// Number of hypotheses, and of combinations of each size, whose screening promises most that are fitted at once.
   std::size_t combinations = 6;
-  /// Once there is an answer: how many of the best hypotheses are extended by what their screening promises, and the
-  /// weight, over that of the best, below which what was not fitted counts as impossible.
-  std::size_t extended = 3;
+  /// How many of the heaviest hypotheses are screened for one effect more: where the heaviest leaves noise, and where
+  /// not.
+  std::size_t extended_from_noise = 3;
+  std::size_t extended = 10;
+  /// The weight, over that of the heaviest, of which what promises less is not worth a fit.
   double least_weight = 0.01;
-  /// How many of the heaviest hypotheses start from each other's numbers (settled()), and from how many of these places
-  /// each is fitted: those where its objective is lowest.
+  /// Number of hypotheses after which the search ends.
+  std::size_t most_hypotheses = 100;
+  /// How many of the heaviest hypotheses start from each other's numbers, and from how many of these places each is
+  /// fitted: those where its objective is lowest.
   std::size_t heaviest = 8;
+  std::size_t heaviest_of_wrong = 4;  ///< where none leaves noise, and many hold a little weight
   std::size_t settling_starts = 2;
-  /// Number of larger hypotheses whose short fit is continued to convergence.
-  std::size_t refined_extensions = 6;
-  /// Number of hypotheses of one size that are fitted again from other starts.
+  /// Number of the heaviest hypotheses that are fitted again from other starts: where one leaves noise, or is far from
+  /// it, and where not.
   std::size_t restarted = 2;
-  /// Where one of them leaves noise, another is fitted again only if its chi-square is no further from the least than
-  /// this: other optima of an attraction or a stop gained 30 to 80 on records of four short runs.
-  double near_rival = 100.0;
+  std::size_t reconsidered = 4;
+  /// Near the noise one is fitted again only if its objective is no further from the least than this: other optima of
+  /// an attraction or a stop gained 30 to 80 on records of four short runs.
+  double other_optima_gain = 100.0;
+  /// Number of hypotheses that were compared on some windows and are judged on all.
+  std::size_t judged_on_all = 9;
   /// Numbers of an effect that are scattered for another start are drawn within this factor. More covers a cost
   /// function that is not convex; less stays near what was found.
   double scatter = 3.0;
   /// Strength of the effects, over that of the fit, from which they are fitted again.
   double weaker_restart = 0.3;
-  /// Number of hypotheses of one size whose discrete choices are tried the other way.
-  std::size_t reconsidered = 4;
   /// Largest number of effects in one hypothesis.
   std::size_t largest_hypothesis = 3;
-  /// A third effect is searched only if the second left at most this fraction of the chi-square above the noise.
-  double worth_another_effect = 0.5;
 
   /// End of each fit along a profile likelihood.
   fit::FitEffort profile{.iterations = 8, .tolerance = 1e-6};

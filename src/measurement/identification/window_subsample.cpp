@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -26,14 +25,6 @@ std::vector<replay::Window> one_of_each_block(const std::vector<replay::Window>&
     const auto place = static_cast<std::size_t>((golden - std::floor(golden)) * static_cast<double>(length));
     out.push_back(windows[first + place]);
   }
-  return out;
-}
-
-// The same for an effect with fewer and with further numbers.
-std::vector<std::string> names_of_effects(const FittedHypothesis& fitted) {
-  std::vector<std::string> out;
-  for (const actuator::EffectKind* kind : fitted.kinds()) out.emplace_back(kind->id());
-  std::ranges::sort(out);
   return out;
 }
 
@@ -82,26 +73,6 @@ std::vector<FittedHypothesis> WindowSubsample::on_all(std::span<const FittedHypo
   for (auto& each : found)
     if (each) out.push_back(std::move(*each));
   return out;
-}
-
-std::vector<FittedHypothesis> split_off_the_best(std::vector<FittedHypothesis>& all, double overdispersion) {
-  constexpr std::size_t of_each_size = 3;
-  std::ranges::stable_sort(all, {}, [&](const FittedHypothesis& each) { return quasi_bic(each, overdispersion); });
-  std::map<std::size_t, std::vector<std::vector<std::string>>> taken;  // names of effects, by their number
-  std::vector<FittedHypothesis> best;
-  std::vector<FittedHypothesis> others;
-  for (FittedHypothesis& each : all) {
-    std::vector<std::string> names = names_of_effects(each);
-    std::vector<std::vector<std::string>>& of_its_size = taken[names.size()];
-    bool is_taken = std::ranges::find(of_its_size, names) != of_its_size.end();
-    if (!is_taken && of_its_size.size() < of_each_size) {
-      of_its_size.push_back(std::move(names));
-      is_taken = true;
-    }
-    (is_taken ? best : others).push_back(std::move(each));
-  }
-  all = std::move(others);
-  return best;
 }
 
 }  // namespace coilwright::measurement::identification

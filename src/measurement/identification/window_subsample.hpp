@@ -40,9 +40,4 @@ class WindowSubsample {
   std::vector<replay::PreparedRun> some_;
 };
 
-/// Takes the best three sets of effects of each size out of `all`, each with fewer and with further numbers, by
-/// quasi_bic() with that overdispersion, and leaves the others there.
-[[nodiscard]] std::vector<FittedHypothesis> split_off_the_best(std::vector<FittedHypothesis>& all,
-                                                               double overdispersion);
-
 }  // namespace coilwright::measurement::identification

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coilwright/actuator/model/effect_catalogue.hpp"
-#include "measurement/identification/level_fits.hpp"
+#include "measurement/identification/fitted_hypothesis.hpp"
 #include "measurement/identification/slide_fits.hpp"
 #include "measurement/slider_model.hpp"
 
@@ -41,14 +41,6 @@ TEST(Overdispersion, OfAResidualWithStructureCountsItsCorrelationTime) {
   fitted.fit.runs.front().residuals = Eigen::VectorXd::Zero(20);
   fitted.fit.runs.front().residuals.head(2).setOnes();
   EXPECT_NEAR(overdispersion_of(runs, fitted), 3.0 * 2.0, 1e-12);
-}
-
-// The best explains 500 of 1000: the first two always, of the others those that explain a tenth of that.
-TEST(Contenders, AreTheFirstTwoAndWhatExplainsATenthOfTheBest) {
-  const HypothesesOfSize level{left_with(500.0), left_with(990.0), left_with(960.0), left_with(940.0)};
-  EXPECT_EQ(contenders(level, 1000.0, 4), (std::vector<std::size_t>{0, 1, 3}));
-  EXPECT_EQ(contenders(level, 1000.0, 2), (std::vector<std::size_t>{0, 1}));
-  EXPECT_EQ(nearest(level), &level.front());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "measurement/identification/level_fits.hpp"
+#include "measurement/identification/first_fits.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ std::vector<actuator::Effect> effect(std::string_view id, std::vector<double> va
   return {{.kind = actuator::standard_effects().find(id), .values = std::move(values)}};
 }
 
-// Fits a level of a lag of the camera, and of the drag that moves the slide if `with_answer`, where the screening of
+// First fits of a lag of the camera, and of the drag that moves the slide if `with_answer`, where the screening of
 // the lag has predicted this fall of chi-square. Returns the number of simulated runs.
 long simulated_runs(bool with_answer, double predicted_fall) {
   const replay::DeclaredModel declared = slide(true_mass, true_damping);
@@ -34,13 +34,12 @@ long simulated_runs(bool with_answer, double predicted_fall) {
                                          .further_starts = {effect("tracking_lag", {0.02})},
                                          .predicted_fall = predicted_fall}};
   if (with_answer) planned.push_back({.base = &base, .starts = {effect("quadratic_drag", {0.3})}});
-  const LevelFits found = fit_level(runs, planned, 2, [](std::size_t, const ShortFit*) {});
-  EXPECT_EQ(found.level.size(), planned.size());
-  EXPECT_EQ(leaves_noise(found.level), with_answer);
+  const FirstFits found = first_fits(runs, planned, [](std::size_t) {});
+  EXPECT_EQ(found.fits.size(), planned.size());
   return *runs.front().simulations;
 }
 
-TEST(LevelFits, KeepOtherStartsForEffectsThatMayExplainAsMuchAsAnAnswer) {
+TEST(FirstFits, KeepOtherStartsForEffectsThatMayExplainAsMuchAsAnAnswer) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_LT(simulated_runs(true, 0.0), simulated_runs(true, infinity));
   EXPECT_EQ(simulated_runs(false, 0.0), simulated_runs(false, infinity));

@@ -1,4 +1,4 @@
-#include "measurement/identification/posterior.hpp"
+#include "measurement/identification/hypothesis_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ TEST(Posterior, AddsUpWhatHypothesesShare) {
 }
 
 // Two fits that leave the same: what has one number more is less probable by its prior and by what the data knew.
-TEST(PosteriorOf, NormalisesAndPutsTheLikeliestFirst) {
+TEST(HypothesisTable, NormalisesAndPutsTheLikeliestFirst) {
   const replay::DeclaredModel declared = slide(true_mass, true_damping);
   const data::Run run = slide_run(100, {}, [] { return 0.02; });
   const std::vector<replay::PreparedRun> runs{replay::prepare_run(run, declared, model_of(declared))};
@@ -76,12 +76,14 @@ TEST(PosteriorOf, NormalisesAndPutsTheLikeliestFirst) {
   const std::vector<const EffectKind*> kinds{&catalogued("angle_offset"), &catalogued("quadratic_drag")};
   const FittedHypothesis none = fitted_to(runs, declared, {});
   const FittedHypothesis zero = fitted_to(runs, declared, {{.kind = kinds[0], .values = {0.01}}});
-  const WeighedHypotheses all = posterior_of(runs, none, {zero, zero}, kinds, scale);
+  HypothesisTable table({.runs = runs, .kinds = kinds, .scale = scale});
+  table.add({none, zero, zero}, true);
+  const WeighedHypotheses all = table.posterior();
   const std::vector<WeighedHypothesis>& odds = all.posterior.hypotheses;
   ASSERT_EQ(odds.size(), 2u);  // the same twice counts once
   EXPECT_NEAR(odds[0].probability + odds[1].probability, 1.0, 1e-12);
   ASSERT_EQ(odds[0].effects, std::vector{kinds[0]});
-  EXPECT_EQ(all.fits, (std::vector<std::size_t>{1, 0}));
+  EXPECT_EQ(all.fits[0]->kinds(), odds[0].effects);
   EXPECT_NEAR(
       std::log(odds[1].probability / odds[0].probability),
       all.weighed[1].log_evidence - all.weighed[0].log_evidence + log_prior({}, kinds) - log_prior({kinds[0]}, kinds),
@@ -89,7 +91,7 @@ TEST(PosteriorOf, NormalisesAndPutsTheLikeliestFirst) {
 }
 
 // A wave of three times the noise that no hypothesis has: 800 samples tell more than 60 values of it, and count for 30.
-TEST(PosteriorOf, CountsThirtyValuesOfWhatEveryHypothesisLacks) {
+TEST(HypothesisTable, CountsThirtyValuesOfWhatEveryHypothesisLacks) {
   const replay::DeclaredModel declared = slide(true_mass, true_damping);
   int sample = 0;
   const data::Run run = slide_run(800, {}, [&] { return 3.0 * noise_sigma * std::sin(0.3 * sample++); });
@@ -98,7 +100,9 @@ TEST(PosteriorOf, CountsThirtyValuesOfWhatEveryHypothesisLacks) {
   const std::vector<const EffectKind*> kinds{&catalogued("angle_offset"), &catalogued("quadratic_drag")};
   const FittedHypothesis none = fitted_to(runs, declared, {});
   const FittedHypothesis zero = fitted_to(runs, declared, {{.kind = kinds[0], .values = {0.01}}});
-  const WeighedHypotheses all = posterior_of(runs, none, {zero}, kinds, scale);
+  HypothesisTable table({.runs = runs, .kinds = kinds, .scale = scale});
+  table.add({none, zero}, true);
+  const WeighedHypotheses all = table.posterior();
   const std::vector<WeighedHypothesis>& odds = all.posterior.hypotheses;
   ASSERT_EQ(odds.size(), 2u);
   ASSERT_LT(odds[0].probability_of_noise, 0.01);

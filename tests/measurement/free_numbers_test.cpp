@@ -63,11 +63,14 @@ TEST(FreeNumbers, LeadToTheSameAnswerInAnyOrderOfTheRunsAndFromAnySeed) {
 TEST(FreeNumbers, DoNotHideTwoEffectsThatImitateThemTogether) {
   data::Dataset data;
   unsigned seed = 3;
-  for (const double angle : true_angles) {
-    data.fit.push_back(Ball{.damping = 1e-7, .angle = angle, .noise = 0.001, .friction = 3e-5, .drag = 1.6e-5}.filmed(
-        30.0, 30.0, ++seed));
-    data.fit.back().name = fmt::format("swing_{}.csv", angle);
-  }
+  const auto swing = [&](double angle) {
+    data::Run run = Ball{.damping = 1e-7, .angle = angle, .noise = 0.001, .friction = 3e-5, .drag = 1.6e-5}.filmed(
+        20.0, 30.0, ++seed);
+    run.name = fmt::format("swing_{}.csv", angle);
+    return run;
+  };
+  for (const double angle : true_angles) data.fit.push_back(swing(angle));
+  data.validate = data::SealedRuns({swing(0.6)});
   const Diagnosis found = diagnose(data, declared_ball(true_length, 1e-4).model, {.threads = 2});
   std::vector<std::string> names;
   for (const AddedEffect& each : found.effects) names.emplace_back(each.kind->id());

@@ -100,10 +100,12 @@ std::optional<FittedHypothesis> better_optimum(const ScanLine& line, const std::
   std::ranges::stable_sort(leading, {}, &ScanFit::objective);
   const std::size_t refined_optima = std::min(leading.size(), search_effort.refined_optima);
   for (const ScanFit* each : std::span(leading).first(refined_optima)) {
-    auto refined = fit_to_convergence(line.runs, {.hypothesis = line.fitted.hypothesis,
-                                                  .start = each->values,
-                                                  .local_numbers_from = &line.fitted.fit,
-                                                  .derivatives_from = &line.fitted.fit});
+    auto refined = fit_to_its_end(line.runs,
+                                  {.hypothesis = line.fitted.hypothesis,
+                                   .start = each->values,
+                                   .local_numbers_from = &line.fitted.fit,
+                                   .derivatives_from = &line.fitted.fit},
+                                  search_effort.converged);
     if (!refined) continue;
     const double best = out ? out->fit.objective() : line.fitted.fit.objective();
     if (refined->fit.objective() < best) out = std::move(refined);

@@ -219,8 +219,9 @@ void SearchStarts::add_other_optima(std::vector<Start>& out) {
 // The heaviest by what they promise, each hypothesis once.
 void SearchStarts::add_larger(std::vector<Start>& out) {
   const bool leaves_noise = table_.leaves_noise();
-  // What leaves noise cannot be explained better, only with more: once.
-  if (leaves_noise && std::exchange(extended_noise_, true)) return;
+  // What leaves noise cannot be explained better, only with more: that is tried once, and not where no effect is
+  // needed.
+  if (leaves_noise && (without_->weighed.probability_of_noise >= 0.5 || std::exchange(extended_noise_, true))) return;
   const double least = least_objective();
   std::size_t extended = 0;
   for (const TableEntry* each : all_) {

@@ -17,13 +17,6 @@ using actuator::Effect;
 
 namespace {
 
-std::optional<FittedHypothesis> fit_to_its_end(std::span<const replay::PreparedRun> runs, const PlannedFit& plan,
-                                               const fit::FitEffort& effort) {
-  FitInTurns fit(runs, plan, effort);
-  fit.finish();
-  return std::move(fit).result();
-}
-
 // Whether what is missing may have pulled declared numbers far away: those with tolerances are, all together, hardly
 // likely where they are now, or one that is fitted freely is far from what it was declared to be.
 bool are_numbers_pulled_away(const FittedHypothesis& base) {
@@ -47,12 +40,15 @@ bool ends_at_a_bound(const ShortFit& found) {
 
 }  // namespace
 
-std::optional<FittedHypothesis> fit_exactly(std::span<const replay::PreparedRun> runs, const PlannedFit& plan) {
-  return fit_to_its_end(runs, plan, search_effort.exact);
+std::optional<FittedHypothesis> fit_to_its_end(std::span<const replay::PreparedRun> runs, const PlannedFit& plan,
+                                               const fit::FitEffort& effort) {
+  FitInTurns fit(runs, plan, effort);
+  fit.finish();
+  return std::move(fit).result();
 }
 
-std::optional<FittedHypothesis> fit_to_convergence(std::span<const replay::PreparedRun> runs, const PlannedFit& plan) {
-  return fit_to_its_end(runs, plan, search_effort.converged);
+std::optional<FittedHypothesis> fit_exactly(std::span<const replay::PreparedRun> runs, const PlannedFit& plan) {
+  return fit_to_its_end(runs, plan, search_effort.exact);
 }
 
 PlannedFit with_added_effects(const FittedHypothesis& base, std::span<const Effect> added) {
@@ -165,13 +161,6 @@ std::optional<ShortFit> from_other_starts(std::span<const replay::PreparedRun> r
     }
   }
   return std::move(fits).result();
-}
-
-std::optional<FittedHypothesis> refine(std::span<const replay::PreparedRun> runs, const ShortFit& from) {
-  return fit_to_convergence(runs, {.hypothesis = from.plan.hypothesis,
-                                   .start = from.fitted.values,
-                                   .local_numbers_from = &from.fitted,
-                                   .derivatives_from = &from.fitted});
 }
 
 }  // namespace coilwright::measurement::identification

@@ -8,9 +8,9 @@
 namespace coilwright::measurement::identification {
 
 /// The best fit from there; its derivatives are those of where it ended. Nothing if the model cannot be simulated.
-[[nodiscard]] std::optional<FittedHypothesis> fit_to_convergence(std::span<const replay::PreparedRun> runs,
-                                                                 const PlannedFit& plan);
-/// The same to a tenth of its tolerance: for a hypothesis whose numbers are reported.
+[[nodiscard]] std::optional<FittedHypothesis> fit_to_its_end(std::span<const replay::PreparedRun> runs,
+                                                             const PlannedFit& plan, const fit::FitEffort& effort);
+/// The same with SearchEffort::exact: for a hypothesis whose numbers are reported.
 [[nodiscard]] std::optional<FittedHypothesis> fit_exactly(std::span<const replay::PreparedRun> runs,
                                                           const PlannedFit& plan);
 
@@ -53,7 +53,5 @@ struct ShortFit {
                                                         std::span<const std::vector<actuator::Effect>> guesses,
                                                         std::span<const std::vector<actuator::Effect>> further,
                                                         const fit::Fit* at_declared, std::optional<ShortFit> so_far);
-/// Continues a short fit to convergence.
-[[nodiscard]] std::optional<FittedHypothesis> refine(std::span<const replay::PreparedRun> runs, const ShortFit& from);
 
 }  // namespace coilwright::measurement::identification

@@ -83,10 +83,14 @@ bool continue_promising(HypothesisTable& table) {
   std::vector<std::optional<FittedHypothesis>> found(going.size());
   fit::in_parallel(going.size(), [&](std::size_t i) {
     const FittedHypothesis& from = going[i]->fitted;
-    found[i] = fit_exactly(table.with().runs, {.hypothesis = from.hypothesis,
-                                               .start = from.fit.values,
-                                               .local_numbers_from = &from.fit,
-                                               .derivatives_from = &from.fit});
+    fit::FitEffort effort = search_effort.exact;
+    effort.tolerance = std::max(effort.tolerance, going[i]->negligible_fall() / from.fit.objective());
+    found[i] = fit_to_its_end(table.with().runs,
+                              {.hypothesis = from.hypothesis,
+                               .start = from.fit.values,
+                               .local_numbers_from = &from.fit,
+                               .derivatives_from = &from.fit},
+                              effort);
   });
   std::vector<FittedHypothesis> ended, further;
   for (std::size_t i = 0; i < going.size(); ++i) {
@@ -104,17 +108,19 @@ bool fit_from(std::vector<Start> starts, HypothesisTable& table) {
   std::vector<StartedFit> all;
   for (Start& each : starts) all.push_back({.start = std::move(each)});
   const auto runs = table.with().runs;
+  const auto short_request = [&](const Start& start) {
+    fit::FitRequest out = fit_request_of(runs, start.plan);
+    const TableEntry& known = start.target != nullptr ? *start.target : *start.reference;
+    out.effort = ends_by_what_is_left(search_effort.short_fit, known.fitted);
+    return out;
+  };
   fit::in_parallel(all.size(), [&](std::size_t i) {
-    if (const auto there = fit::evaluate_at(fit_request_of(runs, all[i].start.plan)))
-      all[i].objective = there->objective();
+    if (const auto there = fit::evaluate_at(short_request(all[i].start))) all[i].objective = there->objective();
   });
   std::erase_if(all, [](const StartedFit& each) { return std::isinf(each.objective) || leads_back(each); });
   all = lowest_of_each(std::move(all));
   fit::in_parallel(all.size(), [&](std::size_t i) {
-    fit::FitRequest request = fit_request_of(runs, all[i].start.plan);
-    const TableEntry& known = all[i].start.target != nullptr ? *all[i].start.target : *all[i].start.reference;
-    request.effort = ends_by_what_is_left(search_effort.short_fit, known.fitted);
-    all[i].fitted = fit::fit(request);
+    all[i].fitted = fit::fit(short_request(all[i].start));
     if (all[i].fitted) all[i].objective = all[i].fitted->objective();
   });
   std::vector<FittedHypothesis> found;

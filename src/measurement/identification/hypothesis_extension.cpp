@@ -15,27 +15,10 @@ std::vector<const EffectKind*> PlannedExtension::kinds() const {
   return out;
 }
 
-std::vector<PlannedExtension> without_repetitions(std::vector<PlannedExtension> planned) {
-  std::vector<std::vector<const EffectKind*>> seen;
-  std::erase_if(planned, [&](const PlannedExtension& each) {
-    std::vector<const EffectKind*> kinds = each.kinds();
-    if (std::ranges::find(seen, kinds) != seen.end()) return true;
-    seen.push_back(std::move(kinds));
-    return false;
-  });
-  return planned;
-}
-
-PlannedExtension one_more(const FittedHypothesis& base, const EffectKind* kind,
-                          std::span<const ScreenedEffect> screened) {
-  PlannedExtension out{.base = &base};
-  for (const Effect& start : starts_for_short_fit(kind, screened)) out.starts.push_back({start});
-  return out;
-}
-
 PlannedExtension one_more(const FittedHypothesis& base, const EffectKind* kind,
                           std::span<const ScreenedEffect> screened, std::size_t own) {
-  PlannedExtension out = one_more(base, kind, screened);
+  PlannedExtension out{.base = &base};
+  for (const Effect& start : starts_for_short_fit(kind, screened)) out.starts.push_back({start});
   out.predicted_fall = largest_predicted_fall(kind, screened);
   // An effect of one number has one shape.
   if (kind->parameters().size() < 2) return out;

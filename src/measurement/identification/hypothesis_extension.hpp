@@ -26,15 +26,8 @@ struct PlannedExtension {
   [[nodiscard]] std::vector<const actuator::EffectKind*> kinds() const;
 };
 
-/// The planned extensions, each set of effects only once: by the first extension that reaches it.
-[[nodiscard]] std::vector<PlannedExtension> without_repetitions(std::vector<PlannedExtension> planned);
-
-/// The extension of `base` by one effect from the starts that its screening promises most of.
-[[nodiscard]] PlannedExtension one_more(const FittedHypothesis& base, const actuator::EffectKind* kind,
-                                        std::span<const ScreenedEffect> screened);
-
-/// The same, with at most `own` further starts, of the strengths of the effect's guesses; none for an effect of one
-/// number.
+/// The extension of `base` by one effect from the starts that its screening promises most of, with at most `own`
+/// further starts, of the strengths of the effect's guesses; none for an effect of one number.
 [[nodiscard]] PlannedExtension one_more(const FittedHypothesis& base, const actuator::EffectKind* kind,
                                         std::span<const ScreenedEffect> screened, std::size_t own);
 

@@ -117,7 +117,7 @@ std::vector<const EffectKind*> untested_kinds(std::span<const replay::PreparedRu
   std::vector<const EffectKind*> out;
   std::ranges::copy_if(request.kinds, std::back_inserter(out), [&](const EffectKind* kind) { return !shows(kind); });
   std::vector<char> tested(out.size(), 0);
-  tbb::parallel_for(std::size_t{0}, out.size(), [&](std::size_t i) {
+  fit::in_parallel(out.size(), [&](std::size_t i) {
     for (const std::vector<double>& guess : out[i]->starts(request.scale))
       for (const double share : {1.0, strongest}) {
         const Effect effect = at_share_of_strength({.kind = out[i], .values = guess}, share);
@@ -169,15 +169,6 @@ double largest_predicted_fall(const EffectKind* kind, std::span<const ScreenedEf
   double out = 0.0;
   for (const ScreenedEffect& each : screened)
     if (each.guess.kind == kind) out = std::max(out, each.predicted_chi_square_fall);
-  return out;
-}
-
-std::vector<const EffectKind*> kinds_by_predicted_fall(std::span<const ScreenedEffect> screened, std::size_t count) {
-  std::vector<const EffectKind*> out;
-  for (const ScreenedEffect* each : best_first(screened)) {
-    if (out.size() == count || each->predicted_chi_square_fall <= 0.0) break;
-    if (std::ranges::find(out, each->effect.kind) == out.end()) out.push_back(each->effect.kind);
-  }
   return out;
 }
 

@@ -56,10 +56,6 @@ struct ScreeningRequest {
 /// The largest fall of chi-square that any guess of a kind predicts.
 [[nodiscard]] double largest_predicted_fall(const actuator::EffectKind* kind, std::span<const ScreenedEffect> screened);
 
-/// The kinds with the largest predicted fall of chi-square, best first, at most `count`.
-[[nodiscard]] std::vector<const actuator::EffectKind*> kinds_by_predicted_fall(std::span<const ScreenedEffect> screened,
-                                                                               std::size_t count);
-
 /// The effect at `share` of its guess, the share limited by SearchEffort: from where a fit may start.
 [[nodiscard]] actuator::Effect at_predicted_strength(actuator::Effect guess, double share);
 

@@ -133,18 +133,4 @@ std::vector<PlannedFit> with_further_numbers(const FittedHypothesis& fitted, con
   return out;
 }
 
-PlannedFit from_further_numbers(const FittedHypothesis& fitted, const FittedHypothesis& larger) {
-  const auto declared = static_cast<Eigen::Index>(fitted.hypothesis.declared().calibration.size());
-  std::vector<Effect> effects = fitted.hypothesis.effects();
-  const std::vector<Effect> there = larger.hypothesis.effects_at(larger.fit.values);
-  for (std::size_t e = 0; e < effects.size(); ++e)
-    std::copy_n(there[e].values.begin(), effects[e].values.size(), effects[e].values.begin());
-  PlannedFit plan{.hypothesis = fit::Hypothesis(fitted.hypothesis.declared(), std::move(effects)),
-                  .local_numbers_from = &larger.fit,
-                  .derivatives_from = &larger.fit};
-  plan.start = plan.hypothesis.start();
-  plan.start.head(declared) = larger.fit.values.head(declared);
-  return plan;
-}
-
 }  // namespace coilwright::measurement::identification

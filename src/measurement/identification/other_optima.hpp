@@ -33,8 +33,4 @@ namespace coilwright::measurement::identification {
 [[nodiscard]] std::vector<PlannedFit> with_further_numbers(const FittedHypothesis& fitted,
                                                            const actuator::RigScale& scale);
 
-/// `fitted` from where `larger`, the same with further numbers of one of its effects, has ended: these may have shown
-/// the way into another local optimum in which the data do not need them. Refers to `larger`.
-[[nodiscard]] PlannedFit from_further_numbers(const FittedHypothesis& fitted, const FittedHypothesis& larger);
-
 }  // namespace coilwright::measurement::identification

@@ -41,10 +41,8 @@ struct SearchEffort {
   /// Effects of several numbers are tried from their own starts, too, where they explain less than this fraction of
   /// what is above the noise.
   double next_to_nothing = 0.05;
-  /// The largest number of such starts of one effect, those of the largest predicted fall of chi-square; and of one
-  /// that is added to another.
+  /// The largest number of such starts of one effect, those of the largest predicted fall of chi-square.
   std::size_t own_starts = 6;
-  std::size_t own_starts_of_more = 2;
   /// End of a fit from there, whose way is longer; likewise.
   fit::FitEffort own_start_fit{.iterations = 20, .tolerance = 1e-2};
   /// A short fit that fails, or ends worse than the model without the effect, is repeated with this fraction of the
@@ -97,8 +95,8 @@ struct SearchEffort {
   /// Where such a fit ends outside the limit it takes its derivatives anew and goes on, at most so often.
   int most_profile_turns = 3;
   /// A model is near the noise where its rms residual is at most so many times it. Further away profiles keep their
-  /// derivatives, several fits of one hypothesis race, and an effect's own starts are left out: what they gain there
-  /// does not make an answer right, and costs most on long records.
+  /// derivatives, and an effect's own starts are left out: what they gain there does not make an answer right, and
+  /// costs most on long records.
   double near_the_noise = 3.0;
   /// Where the recalibrated model leaves more than so many times the noise, hypotheses are compared with priors that
   /// are weighed by what it leaves. Less, and effects may reach the noise, against which they are to be weighed.

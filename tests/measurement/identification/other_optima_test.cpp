@@ -88,19 +88,5 @@ TEST(FurtherNumbers, StartBesideTheEffectAsItWasFoundAndAsItStartsByItself) {
   EXPECT_TRUE(with_further_numbers(fitted_with(declared, {}), {}).empty());
 }
 
-TEST(FurtherNumbers, LeadTheEffectWithoutThemToWhereTheyEnded) {
-  const replay::DeclaredModel declared = slide(true_mass, true_damping);
-  const actuator::EffectKind* dry = standard_effects().find("dry_friction");
-  const FittedHypothesis friction = fitted_with(declared, {{.kind = dry, .values = {0.7}}});
-  FittedHypothesis falling = fitted_with(declared, {{.kind = dry->with_further_numbers(), .values = {0.2, 1.1, 3.0}}});
-  falling.fit.values[0] = 1.2 * true_mass;
-  const PlannedFit plan = from_further_numbers(friction, falling);
-  EXPECT_EQ(plan.start.size(), 3);
-  EXPECT_EQ(plan.start[0], 1.2 * true_mass);
-  EXPECT_EQ(plan.start[2], 0.2);
-  EXPECT_EQ(plan.hypothesis.effects()[0].kind, dry);
-  EXPECT_EQ(plan.local_numbers_from, &falling.fit);
-}
-
 }  // namespace
 }  // namespace coilwright::measurement::identification

@@ -32,8 +32,8 @@ std::vector<const EffectKind*> kinds_of(const Effects& effects) {
   return out;
 }
 
-std::vector<std::string_view> ids_of(const Effects& effects) {
-  return identification::ids_of(kinds_of(effects));
+std::vector<std::string_view> ids_of_effects(const Effects& effects) {
+  return ids_of(kinds_of(effects));
 }
 
 Effects effects_of(const TableEntry& entry) {
@@ -99,7 +99,7 @@ void SearchStarts::add(std::vector<Start>& out, Start start) {
   constexpr double nothing = 1.0;  // of chi-square
   // Choices, which are no parameters, tell hypotheses of one set apart.
   if (is_elsewhere_in(start) && predicted_rise(start.target->fitted, start.plan.start) < nothing) return;
-  Tried tried{.ids = ids_of(start.plan.hypothesis.effects()), .place = start.plan.start};
+  Tried tried{.ids = ids_of_effects(start.plan.hypothesis.effects()), .place = start.plan.start};
   const auto is_tried = [&](const Tried& each) {
     return each.ids == tried.ids && each.place.size() == tried.place.size() && each.place == tried.place;
   };
@@ -136,12 +136,12 @@ void SearchStarts::add_fewer_or_exchanged(std::vector<Start>& out, const TableEn
   for (std::size_t e = 0; e < effects.size(); ++e) {
     Effects fewer = effects;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(e));
-    add_from(out, fewer, from, table_.best_of(ids_of(fewer)));
+    add_from(out, fewer, from, table_.best_of(ids_of_effects(fewer)));
     for (Effect& other : exchanged(effects[e])) {
       if (has(effects, other.kind)) continue;
       Effects rival = effects;
       rival[e] = std::move(other);
-      add_from(out, rival, from, table_.best_of(ids_of(rival)));
+      add_from(out, rival, from, table_.best_of(ids_of_effects(rival)));
     }
   }
 }
@@ -182,7 +182,7 @@ void SearchStarts::add_known(std::vector<Start>& out) {
                     .start = each.values};
     add(out, {.plan = std::move(plan),
               .kind = StartKind::from_another,
-              .target = table_.best_of(ids_of(each.effects)),
+              .target = table_.best_of(ids_of_effects(each.effects)),
               .reference = without_});
   }
 }
@@ -200,20 +200,30 @@ void SearchStarts::add_other_optima(std::vector<Start>& out) {
     if (each->fitted.hypothesis.effects().empty()) continue;
     const bool is_far = is_far_from_noise(each->fitted);
     if (!is_far && each->fitted.fit.objective() - least > search_effort.other_optima_gain) continue;
-    if (place++ == (table_.leaves_noise() || is_far ? search_effort.restarted : search_effort.reconsidered)) break;
+    if (!is_far) add_own(out, *each);
+    if (place++ >= (table_.leaves_noise() || is_far ? search_effort.restarted : search_effort.reconsidered)) continue;
     if (is_in(reconsidered_, each->ids())) continue;
     reconsidered_.push_back(each->ids());
     std::vector<PlannedFit> plans = with_other_choices(each->fitted);
     const auto append = [&](std::vector<PlannedFit> more) { std::ranges::move(more, std::back_inserter(plans)); };
     append(with_other_starts(each->fitted, with_.seed));
     append(with_further_numbers(each->fitted, table_.with().scale));
-    if (!is_far) {
-      append(from_reached_limits(table_.with().runs, each->fitted));
-      append(from_own_starts(each->fitted, table_.with().scale));
-    }
+    if (!is_far) append(from_reached_limits(table_.with().runs, each->fitted));
     for (PlannedFit& plan : plans)
       add(out, {.plan = std::move(plan), .kind = StartKind::other_optimum, .target = each, .reference = each});
   }
+}
+
+// Every single effect that is near, not the heaviest alone: the true one may have ended where others leave less. Those
+// that explain next to nothing have begun there before (from_other_starts()), and where no effect is needed none can
+// gain.
+void SearchStarts::add_own(std::vector<Start>& out, const TableEntry& target) {
+  const double explained = without_->fitted.fit.objective() - target.fitted.fit.objective();
+  if (without_->weighed.probability_of_noise >= 0.5 ||
+      explained < search_effort.next_to_nothing * without_->fitted.chi_square_above_noise())
+    return;
+  for (PlannedFit& plan : from_own_starts(target.fitted, table_.with().scale))
+    add(out, {.plan = std::move(plan), .kind = StartKind::own, .target = &target, .reference = &target});
 }
 
 // The heaviest by what they promise, each hypothesis once.
@@ -245,7 +255,7 @@ void SearchStarts::add_larger(std::vector<Start>& out) {
   for (Candidate& each : candidates_) {
     Effects effects = effects_of(*each.base);
     std::ranges::copy(each.effects, std::back_inserter(effects));
-    const std::vector<std::string_view> ids = ids_of(effects);
+    const std::vector<std::string_view> ids = ids_of_effects(effects);
     const TableEntry* target = table_.best_of(ids);
     if (target != nullptr && std::ranges::find(taken, ids) == taken.end()) continue;
     const bool is_worth_it = each.is_certain || promise(each) >= worth;

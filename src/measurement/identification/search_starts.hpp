@@ -24,6 +24,7 @@ struct KnownPlace {
 enum class StartKind {
   from_another,   ///< where another hypothesis has ended
   other_optimum,  ///< another start of the same hypothesis
+  own,            ///< a start of the only effect of a hypothesis, at the declared numbers
   larger          ///< effects that a screening promises much of
 };
 
@@ -49,11 +50,10 @@ struct SearchWith {
 ///   of each other one; without one of its effects it starts from its own; with one effect exchanged for another whose
 ///   first number has the same unit it takes that number over (one lag for another, one friction for another).
 /// - What is worse than a hypothesis with fewer effects, which it can do whatever these can, starts there.
-/// - The heaviest start from elsewhere: other discrete choices, the declared numbers, an effect's own starts, reached
-///   limits, further numbers.
+/// - The heaviest start from elsewhere: other discrete choices, the declared numbers, reached limits, further numbers.
+/// - Single effects near the least start from where they do alone, if the first fits have not begun there.
 /// - Larger hypotheses whose screening promises SearchEffort::least_weight: one effect more than the heaviest, and
-/// pairs
-///   and triples of effects beside the model without, whose parts need explain nothing alone.
+///   pairs and triples of effects beside the model without, whose parts need explain nothing alone.
 class SearchStarts {
  public:
   /// Refers to `table` and to what `with` refers to.
@@ -79,6 +79,7 @@ class SearchStarts {
   void add_known(std::vector<Start>& out);
   [[nodiscard]] double least_objective() const;
   void add_other_optima(std::vector<Start>& out);
+  void add_own(std::vector<Start>& out, const TableEntry& target);
   void add_larger(std::vector<Start>& out);
   void screen_beside(const TableEntry& base, bool every_kind);
   void screen_together();

@@ -21,6 +21,7 @@ struct StartedFit {
   Start start;
   double objective = std::numeric_limits<double>::infinity();
   std::optional<fit::Fit> fitted{};
+  bool has_ended = false;
 
   [[nodiscard]] std::vector<std::string_view> ids() const {
     std::vector<const actuator::EffectKind*> kinds;
@@ -38,6 +39,12 @@ bool leads_back(const StartedFit& started) {
   return std::abs(started.objective - target.fit.objective() - rise) < nearly * rise;
 }
 
+std::size_t most_of(StartKind kind) {
+  // An effect has few starts of its own, and how low one is says little of the optimum to which it leads.
+  if (kind == StartKind::own) return std::numeric_limits<std::size_t>::max();
+  return kind == StartKind::other_optimum ? search_effort.own_starts : search_effort.settling_starts;
+}
+
 // Of each hypothesis and kind of start.
 std::vector<StartedFit> lowest_of_each(std::vector<StartedFit> all) {
   std::ranges::stable_sort(all, {}, &StartedFit::objective);
@@ -45,11 +52,37 @@ std::vector<StartedFit> lowest_of_each(std::vector<StartedFit> all) {
   for (StartedFit& each : all) {
     const auto before = std::ranges::count_if(
         out, [&](const StartedFit& one) { return one.start.kind == each.start.kind && one.ids() == each.ids(); });
-    const std::size_t most =
-        each.start.kind == StartKind::other_optimum ? search_effort.own_starts : search_effort.settling_starts;
-    if (static_cast<std::size_t>(before) < most) out.push_back(std::move(each));
+    if (static_cast<std::size_t>(before) < most_of(each.start.kind)) out.push_back(std::move(each));
   }
   return out;
+}
+
+// Short fits from the own starts of an effect stop on the way through valleys that are bent, above the optimum that is
+// known: the lowest of each hypothesis are fitted to their end before they are compared with it.
+void end_lowest_of_own(std::span<const replay::PreparedRun> runs, std::vector<StartedFit>& all) {
+  std::ranges::stable_sort(all, {}, &StartedFit::objective);
+  std::vector<StartedFit*> going;
+  for (StartedFit& each : all) {
+    const auto before = std::ranges::count_if(going, [&](const StartedFit* one) { return one->ids() == each.ids(); });
+    if (each.start.kind != StartKind::own || !each.fitted ||
+        static_cast<std::size_t>(before) == search_effort.settling_starts)
+      continue;
+    if (each.objective <= each.start.target->fitted.fit.objective() + search_effort.other_optima_gain)
+      going.push_back(&each);
+  }
+  fit::in_parallel(going.size(), [&](std::size_t i) {
+    StartedFit& each = *going[i];
+    auto ended = fit_to_its_end(runs,
+                                {.hypothesis = each.start.plan.hypothesis,
+                                 .start = each.fitted->values,
+                                 .local_numbers_from = &*each.fitted,
+                                 .derivatives_from = &*each.fitted},
+                                search_effort.exact);
+    if (!ended) return;
+    each.objective = ended->fit.objective();
+    each.fitted = std::move(ended->fit);
+    each.has_ended = true;
+  });
 }
 
 // Whether a short fit is worth its place beside the best one of its hypothesis.
@@ -84,7 +117,8 @@ bool continue_promising(HypothesisTable& table) {
   fit::in_parallel(going.size(), [&](std::size_t i) {
     const FittedHypothesis& from = going[i]->fitted;
     fit::FitEffort effort = search_effort.exact;
-    effort.tolerance = std::max(effort.tolerance, going[i]->negligible_fall() / from.fit.objective());
+    // Near the noise a fit that has ended a tenth of chi-square above its optimum may lead a true one.
+    if (is_far_from_noise(from)) effort.tolerance = going[i]->negligible_fall() / from.fit.objective();
     found[i] = fit_to_its_end(table.with().runs,
                               {.hypothesis = from.hypothesis,
                                .start = from.fit.values,
@@ -123,11 +157,14 @@ bool fit_from(std::vector<Start> starts, HypothesisTable& table) {
     all[i].fitted = fit::fit(short_request(all[i].start));
     if (all[i].fitted) all[i].objective = all[i].fitted->objective();
   });
-  std::vector<FittedHypothesis> found;
+  end_lowest_of_own(runs, all);
+  std::vector<FittedHypothesis> found, ended;
   for (StartedFit& each : all)
     if (each.fitted && leads_elsewhere(each))
-      found.push_back(score(runs, std::move(each.start.plan.hypothesis), std::move(*each.fitted)));
-  const bool any = !found.empty();
+      (each.has_ended ? ended : found)
+          .push_back(score(runs, std::move(each.start.plan.hypothesis), std::move(*each.fitted)));
+  const bool any = !found.empty() || !ended.empty();
+  table.add(std::move(ended), true);
   table.add(std::move(found), false);
   return any;
 }

@@ -77,6 +77,9 @@ class Diagnose(ProgramTest):
                          {"diagnosis.json", "actuator.json", "residuals.csv", "summary.txt", "provenance.json"})
         self.assertEqual(result.stdout, (self.folder / "out" / "summary.txt").read_text())
         self.assertIn("the most probable so far: dry_friction", result.stderr)  # progress
+        time = r", (about \d+ (s|min)|less than a second)"
+        self.assertRegex(result.stderr, r"\d+ effects fitted alone" + time)
+        self.assertRegex(result.stderr, r"8 of \d+ effects compared" + time + " to go")
         found = self.result("out/diagnosis.json")
         self.assertEqual((found["format"], found["verdict"]), ("diagnosis/1", "explained"))
         self.assertEqual([effect["id"] for effect in found["effects"]], ["dry_friction"])

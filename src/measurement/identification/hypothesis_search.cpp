@@ -19,6 +19,7 @@
 #include "measurement/identification/hypothesis_table.hpp"
 #include "measurement/identification/linear_screening.hpp"
 #include "measurement/identification/model_error.hpp"
+#include "measurement/identification/pace_of_fits.hpp"
 #include "measurement/identification/recalibration.hpp"
 #include "measurement/identification/rig_scale.hpp"
 #include "measurement/identification/search_effort.hpp"
@@ -48,6 +49,15 @@ std::string names(const FittedHypothesis& fitted) {
 
 std::string effects_text(std::size_t count) {
   return fmt::format("{} effect{}", count, count == 1 ? "" : "s");
+}
+
+// Of the short fits from all planned starts: a step costs one, and one for each number of the effect.
+std::size_t simulations_of(std::span<const PlannedExtension> planned) {
+  std::size_t out = 0;
+  for (const PlannedExtension& each : planned)
+    for (const std::vector<Effect>& start : each.starts)
+      out += static_cast<std::size_t>(search_effort.short_fit.iterations) * (1 + start.front().values.size());
+  return out;
 }
 
 struct ApplicableKinds {
@@ -124,6 +134,18 @@ class HypothesisSearch {
     if (request_.progress) request_.progress(line);
   }
 
+  // `fits` begins fits and says of how many. They are announced with the time that those before let expect.
+  bool at_pace(PaceOfFits& pace, std::string_view what, const std::function<bool(const FitsBegin&)>& fits) const {
+    const auto begun = PaceOfFits::Clock::now();
+    std::size_t count = 0;
+    const bool any = fits([&](std::size_t more) {
+      count = more;
+      if (more > 0) report(fmt::format("{} {}{}", more, what, pace.text(more)));
+    });
+    pace.add(count, PaceOfFits::Clock::now() - begun);
+    return any;
+  }
+
   void begin_table(const FittedHypothesis& without) {
     table_ = std::make_unique<HypothesisTable>(
         Comparison{.runs = runs_, .kinds = kinds_, .beliefs = request_.beliefs, .scale = scale_});
@@ -133,7 +155,9 @@ class HypothesisSearch {
   // Every effect alone, and then what the table suggests, until nothing promises SearchEffort::least_weight.
   void compare() {
     const FittedHypothesis& without = table_->entries().front().fitted;
+    const auto begun = PaceOfFits::Clock::now();
     Screened screened = screen_effects(runs_, without, {.kinds = tested_, .scale = scale_});
+    simulations_.add(screened.size(), PaceOfFits::Clock::now() - begun);
     leave_out_untested(screened);
     fit_single_effects(without, screened);
     settle(screened, true);
@@ -144,14 +168,18 @@ class HypothesisSearch {
     SearchStarts starts(
         *table_, {.tested = tested_, .screened = screened, .known = known_, .seed = request_.seed, .extends = extends});
     while (true) {
-      while (continue_promising(*table_)) {
+      const auto continued = [&](const FitsBegin& begin) { return continue_promising(*table_, begin); };
+      while (at_pace(to_their_ends_, "promising fits go on to their ends", continued)) {
       }
       make_known();
       const TableEntry& best = *table_->hypotheses().front();
       report(fmt::format("{} hypotheses fitted, the most probable so far: {}, {:.3g} times the noise",
                          table_->hypotheses().size(), names(best.fitted), best.fitted.whiteness.level));
       if (shows_more_outliers()) return;
-      if (table_->hypotheses().size() >= search_effort.most_hypotheses || !fit_from(starts.next(), *table_)) break;
+      const auto started = [&](const FitsBegin& begin) { return fit_from(starts.next(), *table_, begin); };
+      if (table_->hypotheses().size() >= search_effort.most_hypotheses ||
+          !at_pace(short_fits_, "short fits from other starts", started))
+        break;
     }
   }
 
@@ -192,10 +220,16 @@ class HypothesisSearch {
       }
       planned.push_back(std::move(each));
     }
+    report(fmt::format("{} fitted alone{}", effects_text(planned.size()), simulations_.text(simulations_of(planned))));
+    const auto begun = PaceOfFits::Clock::now();
     std::size_t reported = 0;
     FirstFits found = first_fits(runs_, planned, [&](std::size_t done) {
-      if (done % 8 == 0 && done != reported) report(fmt::format("{} of {} effects compared", done, planned.size()));
+      if (done % 8 != 0 || done == reported) return;
       reported = done;
+      PaceOfFits pace;
+      pace.add(done, PaceOfFits::Clock::now() - begun);
+      report(fmt::format("{} of {} effects compared{}", done, planned.size(),
+                         done == planned.size() ? "" : pace.text(planned.size() - done) + " to go"));
     });
     table_->add(std::move(found.fits), false);
     std::ranges::move(found.failed, std::back_inserter(failed_));
@@ -271,6 +305,7 @@ class HypothesisSearch {
   std::vector<const EffectKind*> tested_;  // and that show in these records
   std::unique_ptr<HypothesisTable> table_;
   std::vector<RuledOut> failed_, untested_;
+  PaceOfFits simulations_{}, short_fits_{}, to_their_ends_{};
   bool may_find_outliers_;
   bool may_weigh_priors_;
   bool found_outliers_ = false;

@@ -97,7 +97,7 @@ bool leads_elsewhere(const StartedFit& started) {
 
 }  // namespace
 
-bool continue_promising(HypothesisTable& table) {
+bool continue_promising(HypothesisTable& table, const FitsBegin& begin) {
   const double worth = table.worth_a_fit();
   std::vector<TableEntry*> heaviest;
   for (TableEntry& each : table.entries()) {
@@ -113,6 +113,7 @@ bool continue_promising(HypothesisTable& table) {
   std::vector<TableEntry*> going;
   std::ranges::copy_if(heaviest, std::back_inserter(going),
                        [](const TableEntry* each) { return !each->has_ended && !each->is_at_optimum(); });
+  begin(going.size());
   std::vector<std::optional<FittedHypothesis>> found(going.size());
   fit::in_parallel(going.size(), [&](std::size_t i) {
     const FittedHypothesis& from = going[i]->fitted;
@@ -138,7 +139,7 @@ bool continue_promising(HypothesisTable& table) {
   return !going.empty();
 }
 
-bool fit_from(std::vector<Start> starts, HypothesisTable& table) {
+bool fit_from(std::vector<Start> starts, HypothesisTable& table, const FitsBegin& begin) {
   std::vector<StartedFit> all;
   for (Start& each : starts) all.push_back({.start = std::move(each)});
   const auto runs = table.with().runs;
@@ -153,6 +154,7 @@ bool fit_from(std::vector<Start> starts, HypothesisTable& table) {
   });
   std::erase_if(all, [](const StartedFit& each) { return std::isinf(each.objective) || leads_back(each); });
   all = lowest_of_each(std::move(all));
+  begin(all.size());
   fit::in_parallel(all.size(), [&](std::size_t i) {
     all[i].fitted = fit::fit(short_request(all[i].start));
     if (all[i].fitted) all[i].objective = all[i].fitted->objective();

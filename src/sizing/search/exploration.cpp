@@ -51,13 +51,15 @@ Exploration::Exploration(const Samples& samples, std::uint64_t seed, std::mt1993
 ProposalBatch Exploration::filled(ProposalBatch batch, std::size_t size, double evolution_share) {
   const DesignSpace& space = samples_.space();
   const std::vector<std::size_t> parents = parents_of(samples_);
-  int misses = 0;
+  // In many tries some fail where limits exclude most designs.
+  const auto most_misses = std::max<std::size_t>(32, size / 2);
+  std::size_t misses = 0;
   while (batch.size() < size && !exhausted_) {
     const bool evolve = uniform(random_) < evolution_share && parents.size() >= 3;
     auto source = evolve ? ProposalSource::evolution : ProposalSource::sobol;
     std::optional<UnitPoint> point;
     std::size_t index = 0;
-    if (space.dimension() > 0 && misses < 32) {
+    if (space.dimension() > 0 && misses < most_misses) {
       if (evolve && space.is_wide() && uniform(random_) < probe_share) {
         if (std::optional<Explorer::Probe> made = explorer_.probe(samples_, parents)) {
           point = std::move(made->point);

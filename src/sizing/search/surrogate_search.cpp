@@ -14,6 +14,7 @@
 #include "sizing/sampling/neighbours.hpp"
 #include "sizing/search/exploration.hpp"
 #include "sizing/search/source_gains.hpp"
+#include "sizing/surrogate/expected_gain.hpp"
 #include "sizing/surrogate/infill.hpp"
 #include "sizing/surrogate/planner.hpp"
 
@@ -22,25 +23,24 @@ namespace {
 
 // Designs in a round. A power of two for the Sobol sequence; small enough to learn often, large enough for 16 threads.
 constexpr std::size_t largest_round = 16;
-// With one objective there is one place to improve: learning sooner is worth more than designs evaluated together.
-constexpr std::size_t round_of_one_objective = 8;
+// With one objective there is one place to improve, and of a new front little is known: learning sooner is worth more
+// than designs evaluated together.
+constexpr std::size_t small_round = 8;
 constexpr std::size_t rounds_between_descents = 4;
 constexpr std::size_t designs_enumerated_together = 1024;
 // Where the budget covers every design, so many are found by models before the others are listed: whoever interrupts a
 // long list then has what a search of that length finds, and not the best of a corner of the grid.
 constexpr std::size_t searched_before_a_list = 1024;
 // The search of an end of a front is over after so many designs for each variable without a gain of this part of what
-// it has gained in all. Without a grid models come near to an end in a few rounds, or not at all.
+// it has gained in all.
 constexpr std::size_t patience_per_variable = 16;
-constexpr std::size_t patience_without_grid = 5;
 constexpr std::size_t least_patience = 32;
-// Of a round of a front without a feasible design those that models propose: no design gains anything before, by which
-// the sources could be weighed.
-constexpr double share_towards_limits = 0.85;
 constexpr double least_gain = 1e-3;
-// Evaluations for each variable from which the search of an end is worth descents on the problem itself, which take a
-// third of them: with fewer the last digits of one design are little of a front.
-constexpr std::size_t worth_descents = 50;
+// The first designs of a front with limits are those of which a model of all expects most, of so many that evolution
+// proposes in a round of so many. Later the front has gaps enough for a local model each.
+constexpr std::size_t chosen_by_expected_gain = 300;
+constexpr std::size_t candidates_for_choice = 200;
+constexpr double bred_candidates = 0.9;
 
 class SurrogateSearch {
  public:
@@ -57,25 +57,18 @@ class SurrogateSearch {
   StopReason run();
 
  private:
-  // Nothing of the front is known yet, so that the limits are the one thing to improve. On a grid the ends do it: what
-  // they find on their way lies further apart.
-  [[nodiscard]] bool looks_for_feasible() const {
-    return samples_.feasible_count() == 0 && has_ends_to_search() && !space_.has_grid();
-  }
   [[nodiscard]] std::size_t round_size() const {
-    return samples_.objective_count() == 1 || looks_for_feasible() ? round_of_one_objective : largest_round;
+    return samples_.objective_count() == 1 || chooses() ? small_round : largest_round;
   }
   [[nodiscard]] std::size_t left() const { return context_.budget - made_; }
   [[nodiscard]] bool is_of_end() const { return patience_.has_value(); }
   [[nodiscard]] bool stopped() const { return context_.options.stop.stop_requested(); }
   [[nodiscard]] bool goes_on() const {
-    return left() > 0 && !stopped() && !exploration_.exhausted() &&
-           !((first_ || space_.has_grid()) && patience_ && made_ - gained_at_ >= *patience_);
+    return left() > 0 && !stopped() && !exploration_.exhausted() && !(patience_ && made_ - gained_at_ >= *patience_);
   }
-  [[nodiscard]] bool is_worth_descents() const {
-    return !is_of_end() || context_.budget >= worth_descents * space_.dimension();
-  }
-  [[nodiscard]] bool has_ends_to_search() const;
+  [[nodiscard]] bool has_levels() const { return space_.has_grid() || space_.combinations() > 1; }
+  [[nodiscard]] bool has_limited_front() const;
+  [[nodiscard]] bool chooses() const;
   [[nodiscard]] std::string_view proposer(ProposalSource source) const;
   void evaluate(const ProposalBatch& batch);
   void enumerate();
@@ -84,6 +77,7 @@ class SurrogateSearch {
   void look_for_gain();
   void evaluate_initial_designs();
   void round();
+  void round_of_choice();
   void round_of_models(const std::vector<SubproblemTask>& tasks);
   void round_on_problem(const std::vector<SubproblemTask>& tasks, Algorithm algorithm);
   void descend(const std::vector<SubproblemTask>& tasks);
@@ -104,11 +98,13 @@ class SurrogateSearch {
   std::optional<double> first_{};  // best value when one was first known
   double best_ = std::numeric_limits<double>::infinity();
   std::size_t rounds_ = 0;
+  bool choosing_ = false;  // the round is one of choice
 };
 
 // The words of evaluations.csv.
 std::string_view SurrogateSearch::proposer(ProposalSource source) const {
   if (is_of_end()) return "end";
+  if (choosing_) return "expected_gain";
   switch (source) {
     case ProposalSource::gap:
       return "gap";
@@ -173,15 +169,13 @@ std::vector<UnitPoint> SurrogateSearch::neighbours_of_best(const std::vector<Sub
 }
 
 void SurrogateSearch::round() {
-  const double share = looks_for_feasible() ? share_towards_limits : gains_.model_share();
-  const auto wanted = static_cast<std::size_t>(std::lround(share * static_cast<double>(round_size())));
-  const std::vector<SubproblemTask> tasks = looks_for_feasible() ? planner_.towards_limits(std::min(wanted, left()))
-                                                                 : planner_.plan(std::min(wanted, left()), rounds_);
+  if (chooses()) return round_of_choice();
+  const auto wanted = static_cast<std::size_t>(std::lround(gains_.model_share() * static_cast<double>(round_size())));
+  const std::vector<SubproblemTask> tasks = planner_.plan(std::min(wanted, left()), rounds_);
   const Algorithm algorithm = context_.options.algorithm;
   if (algorithm != Algorithm::automatic) return round_on_problem(tasks, algorithm);
   const bool one_objective = samples_.objective_count() == 1;
-  if (one_objective && is_worth_descents() && rounds_ % rounds_between_descents == 0 && !space_.has_grid())
-    descend(tasks);
+  if (one_objective && rounds_ % rounds_between_descents == 0 && !space_.has_grid()) descend(tasks);
   round_of_models(tasks);
 }
 
@@ -210,6 +204,20 @@ ProposalBatch SurrogateSearch::proposals_of_models(const std::vector<SubproblemT
 void SurrogateSearch::round_of_models(const std::vector<SubproblemTask>& tasks) {
   ProposalBatch batch = proposals_of_models(tasks);
   evaluate(exploration_.filled(std::move(batch), std::min(round_size(), left()), gains_.evolution_share()));
+  ++rounds_;
+}
+
+// Evolution proposes, the model chooses.
+void SurrogateSearch::round_of_choice() {
+  const std::size_t size = std::min(round_size(), left());
+  const ProposalBatch bred = exploration_.filled(ProposalBatch{space_}, candidates_for_choice, bred_candidates);
+  std::vector<std::vector<double>> candidates;
+  for (const Proposal& proposal : bred.proposals()) candidates.push_back(proposal.point.unit);
+  ProposalBatch batch{space_};
+  for (const std::size_t i : of_most_expected_gain(samples_, candidates, size)) batch.add(bred.proposals()[i]);
+  choosing_ = true;
+  evaluate(exploration_.filled(std::move(batch), size, bred_candidates));
+  choosing_ = false;
   ++rounds_;
 }
 
@@ -273,19 +281,24 @@ void SurrogateSearch::look_for_gain() {
   gained_at_ = made_;
 }
 
-// Without limits any step from an end of the front is a design, and the anchors of the rounds reach the ends.
-bool SurrogateSearch::has_ends_to_search() const {
+// Without limits any step from the front is a design, and the local models reach its gaps and its ends sooner.
+bool SurrogateSearch::has_limited_front() const {
   return samples_.objective_count() > 1 && samples_.constraint_count() > 0 &&
          context_.options.algorithm == Algorithm::automatic;
 }
 
-// Each end of a front is the answer of a search for that objective alone. Steps towards gaps of the front do not reach
-// it where limits couple variables: the front then is a point in a thin set, and its gaps are as small as itself.
+// One model of all designs has no place for levels, and quantities jump from one grid value to the next.
+bool SurrogateSearch::chooses() const {
+  return has_limited_front() && !has_levels() && made_ < chosen_by_expected_gain;
+}
+
+// On a grid each end of a front is the answer of a search for that objective alone. Steps towards gaps of the front do
+// not reach it where limits couple variables: the front then is a point in a thin set, and its gaps are as small as
+// itself.
 void SurrogateSearch::search_ends() {
   const std::size_t objectives = samples_.objective_count();
-  const std::size_t patience = std::max(
-      least_patience, space_.dimension() * (space_.has_grid() ? patience_per_variable : patience_without_grid));
-  const std::size_t share = (space_.has_grid() ? context_.budget : left()) / (objectives + 1);
+  const std::size_t patience = std::max(least_patience, space_.dimension() * patience_per_variable);
+  const std::size_t share = context_.budget / (objectives + 1);
   for (std::size_t objective = 0; objective < objectives && goes_on(); ++objective) {
     Samples alone{samples_, objective};
     const std::size_t known = alone.size();
@@ -324,8 +337,7 @@ StopReason SurrogateSearch::run() {
   const bool lists_all = designs > 0 && designs <= context_.budget + samples_.size();
   if (!lists_all || designs > searched_before_a_list) {
     evaluate_initial_designs();
-    while (looks_for_feasible() && !lists_all && goes_on()) round();
-    if (has_ends_to_search() && !lists_all) search_ends();
+    if (has_limited_front() && has_levels() && !lists_all) search_ends();
     while (goes_on() && (!lists_all || made_ < searched_before_a_list)) round();
   }
   if (lists_all) enumerate();

@@ -231,35 +231,6 @@ std::vector<SubproblemTask> Planner::feasibility(std::size_t wanted) const {
   return tasks;
 }
 
-// Half of them start from the design that is nearest to the limits, each with other nodes or believed less far, so that
-// a round has as many different steps; the others start from further designs.
-std::vector<SubproblemTask> Planner::towards_limits(std::size_t wanted) {
-  std::vector<SubproblemTask> tasks;
-  Goal goal{.kind = Goal::Kind::feasibility};
-  const std::vector<std::size_t> starts = distinct_best(goal, wanted, std::nullopt);
-  for (std::size_t slot = 0; slot < wanted && !starts.empty(); ++slot) {
-    const bool from_best = slot < wanted / 2;
-    const std::size_t start = starts[from_best ? 0 : std::min(slot - wanted / 2, starts.size() - 1)];
-    goal.to_beat = goal.scalar(samples_[start]);
-    Region region{.from = start, .to = start, .margin = 0.5};
-    const auto turn = static_cast<int>(from_best ? slot : feasibility_turn_);
-    if (turn > 0) {
-      region.margin = 1.0;
-      region.node_spacing = node_spacing_after(turn);
-      region.seed = random_();
-    }
-    if (slot % 2 == 1)
-      region = {.from = start,
-                .to = start,
-                .trust = trust_after(static_cast<int>(slot + 2 * feasibility_turn_)),
-                .seed = random_()};
-    tasks.push_back(
-        {.goal = goal, .region = region, .source = ProposalSource::anchor, .index = samples_.objective_count()});
-  }
-  ++feasibility_turn_;
-  return tasks;
-}
-
 std::vector<SubproblemTask> Planner::plan(std::size_t wanted, std::size_t round) {
   if (samples_.feasible_count() == 0) return feasibility(wanted / 2);
   std::vector<SubproblemTask> tasks;

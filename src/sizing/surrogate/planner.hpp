@@ -41,9 +41,6 @@ class Planner {
   /// At most `wanted` subproblems for the round of number `round`.
   [[nodiscard]] std::vector<SubproblemTask> plan(std::size_t wanted, std::size_t round);
 
-  /// The same for a front of which no design is feasible yet: `wanted` steps towards the limits.
-  [[nodiscard]] std::vector<SubproblemTask> towards_limits(std::size_t wanted);
-
   /// Takes in the gain of a design (`Samples::add`) that the anchor of an objective proposed. After failures that
   /// anchor starts elsewhere, and less often.
   void count_anchor(std::size_t objective, double gain);
@@ -67,7 +64,6 @@ class Planner {
   std::mt19937_64& random_;
   std::vector<int> anchor_failures_;
   std::size_t anchor_turn_ = 0;
-  std::size_t feasibility_turn_ = 0;
   Niches niches_;
   std::size_t niche_turn_ = 0;
 };

@@ -61,23 +61,34 @@ Surrogate::Surrogate(const Eigen::MatrixXd& nodes, const Eigen::MatrixXd& values
     square_ = undetermined_square;
     cross_ = undetermined_cross;
   }
-  Eigen::MatrixXd kernel(count, count);
-  const Eigen::MatrixXd gram = nodes_.transpose() * nodes_;
-  const Eigen::MatrixXd stretched = nodes_.transpose() * stretch_.asDiagonal() * nodes_;
   squares_ = nodes_.cwiseAbs2();
-  const Eigen::MatrixXd square_gram = squares_.transpose() * squares_;
-  for (Eigen::Index j = 0; j < count; ++j) {
-    for (Eigen::Index i = j; i < count; ++i) {
-      const double squared = std::max(0.0, stretched(i, i) + stretched(j, j) - 2 * stretched(i, j));
-      const double quadratic = quadratic_kernel(gram(i, j), square_gram(i, j));
-      kernel(i, j) = quadratic_weight * quadratic + matern(squared, length_).value;
-    }
-  }
-  kernel.diagonal().array() += nugget * kernel.diagonal().maxCoeff();
-  const Eigen::LLT<Eigen::MatrixXd> factor(kernel.selfadjointView<Eigen::Lower>());
+  Eigen::MatrixXd between = kernel(nodes_, nodes_);
+  between.diagonal().array() += nugget * between.diagonal().maxCoeff();
+  factor_.compute(between);
   const Eigen::MatrixXd scaled =
       ((values.rowwise() - mean_.transpose()).array().rowwise() / range_.transpose().array()).matrix();
-  weights_ = factor.solve(scaled);
+  weights_ = factor_.solve(scaled);
+  deviation_ =
+      (scaled.cwiseProduct(weights_).colwise().mean().transpose().cwiseMax(0.0).cwiseSqrt()).cwiseProduct(range_);
+}
+
+// Between the columns of two matrices of places in local coordinates; of one matrix with itself the lower half.
+Eigen::MatrixXd Surrogate::kernel(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) const {
+  const bool one = &a == &b;
+  const Eigen::MatrixXd products = a.transpose() * b, stretched = a.transpose() * stretch_.asDiagonal() * b;
+  const Eigen::MatrixXd squares_a = a.cwiseAbs2(), squares_b = b.cwiseAbs2();
+  const Eigen::MatrixXd square_products = squares_a.transpose() * squares_b;
+  const Eigen::VectorXd lengths_a = one ? Eigen::VectorXd{stretched.diagonal()} : squares_a.transpose() * stretch_;
+  const Eigen::VectorXd lengths_b = one ? lengths_a : squares_b.transpose() * stretch_;
+  Eigen::MatrixXd result(a.cols(), b.cols());
+  for (Eigen::Index j = 0; j < b.cols(); ++j) {
+    for (Eigen::Index i = one ? j : 0; i < a.cols(); ++i) {
+      const double squared = std::max(0.0, lengths_a[i] + lengths_b[j] - 2 * stretched(i, j));
+      const double quadratic = quadratic_kernel(products(i, j), square_products(i, j));
+      result(i, j) = quadratic_weight * quadratic + matern(squared, length_).value;
+    }
+  }
+  return result;
 }
 
 double Surrogate::squared_distance(Eigen::Index node, const Eigen::VectorXd& at) const {
@@ -101,6 +112,16 @@ Eigen::VectorXd Surrogate::values(const Eigen::VectorXd& x) const {
                 matern(squared_distance(i, at), length_).value;
   }
   return mean_ + range_.cwiseProduct(weights_.transpose() * kernel);
+}
+
+Surrogate::Prediction Surrogate::predicted(const Eigen::MatrixXd& places) const {
+  const Eigen::MatrixXd at = (places.colwise() - centre_).array().colwise() / half_width_.array();
+  const Eigen::MatrixXd to_nodes = kernel(nodes_, at), explained = factor_.matrixL().solve(to_nodes);
+  Eigen::MatrixXd means = (to_nodes.transpose() * weights_) * range_.asDiagonal();
+  means.rowwise() += mean_.transpose();
+  Eigen::MatrixXd covariance = kernel(at, at).selfadjointView<Eigen::Lower>();
+  covariance -= explained.transpose() * explained;
+  return {.means = std::move(means), .covariance = std::move(covariance), .deviations = deviation_};
 }
 
 Linearisation Surrogate::linearised(const Eigen::VectorXd& x) const {

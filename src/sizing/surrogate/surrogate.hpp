@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <vector>
 
@@ -21,18 +22,30 @@ class Surrogate {
   /// Values at `x` (n): (outputs).
   [[nodiscard]] Eigen::VectorXd values(const Eigen::VectorXd& x) const;
 
+  /// What the process expects at several places.
+  struct Prediction {
+    Eigen::MatrixXd means;       ///< (places, outputs)
+    Eigen::MatrixXd covariance;  ///< (places, places), of an output of variance 1
+    Eigen::VectorXd deviations;  ///< (outputs): the most likely standard deviation, by which `covariance` is scaled
+  };
+  /// The process at the columns of `places` (n, places).
+  [[nodiscard]] Prediction predicted(const Eigen::MatrixXd& places) const;
+
   /// Values and gradients at `x` (n).
   [[nodiscard]] Linearisation linearised(const Eigen::VectorXd& x) const;
 
  private:
   [[nodiscard]] Eigen::VectorXd local(const Eigen::VectorXd& x) const;
+  [[nodiscard]] Eigen::MatrixXd kernel(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) const;
   [[nodiscard]] double squared_distance(Eigen::Index node, const Eigen::VectorXd& at) const;
   [[nodiscard]] double quadratic_kernel(double product, double squares) const;
 
   Eigen::VectorXd centre_, half_width_;
   Eigen::MatrixXd nodes_;    // (n, k), local
   Eigen::MatrixXd squares_;  // of the nodes' coordinates
+  Eigen::LLT<Eigen::MatrixXd> factor_;
   Eigen::MatrixXd weights_;  // (k, outputs)
+  Eigen::VectorXd deviation_;
   Eigen::VectorXd mean_, range_;
   Eigen::VectorXd stretch_;  // of squared distances along each axis, mean 1
   double length_;

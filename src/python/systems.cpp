@@ -1,10 +1,14 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -19,7 +23,7 @@
 #include "coilwright/formats/systems/crawl_json.hpp"
 #include "coilwright/formats/systems/drive_json.hpp"
 #include "coilwright/formats/systems/grip_json.hpp"
-#include "coilwright/formats/systems/task_numbers.hpp"
+#include "coilwright/formats/systems/task_rows.hpp"
 #include "coilwright/report/yield_text.hpp"
 #include "coilwright/simulation/linear_model.hpp"
 #include "coilwright/sizing/study/design_problem.hpp"
@@ -52,18 +56,40 @@ class Words {
   [[nodiscard]] std::optional<double> optional(const char* name) const {
     return said_[name].cast<std::optional<double>>();
   }
-  [[nodiscard]] std::string word(const char* name) const { return said_[name].cast<std::string>(); }
 
-  // Those of a task. A name has the unit of its key where that is no SI unit.
+  // A task with those that are said; a name has no unit where that is a plain one of SI, "cell_voltage". A fault is
+  // told as one of what the actuator should do.
   template <class Task>
-  void set_numbers(const std::vector<formats::BlockNumber<Task>>& numbers, Task& task) const {
-    for (const auto& [key, rule, get, set, kind] : numbers) {
-      const std::string name(said_.contains(std::string(key)) ? key : units::quantity_of(key));
-      set(task, number(name.c_str()) * units::to_memory(1.0, key));
+  [[nodiscard]] Task task_of(const Actuator& actuator, std::span<const text::Row<Task>> rows, Task task = {}) const {
+    for (const text::Row<Task>& row : rows) {
+      const std::string name(said_.contains(std::string(row.key)) ? row.key : units::quantity_of(row.key));
+      const py::object value = said_[name.c_str()];
+      if (value.is_none()) continue;
+      if (!row.words.empty()) {
+        row.set(task, place_of(row.words, name, value.cast<std::string>()));
+        continue;
+      }
+      const auto number = value.cast<double>();
+      // As it is by itself where no file may say that: no height, no least current.
+      if (row.get(task) == units::to_memory(number, row.key)) continue;
+      if (!row.rule.allows(number) || (row.whole && number != std::floor(number)))
+        throw text::InputError({.file = actuator.origin,
+                                .place = name,
+                                .rule = row.whole ? "must be a whole number, and " + row.rule.text() : row.rule.text(),
+                                .value = fmt::format("{}", number)});
+      row.set(task, units::to_memory(number, row.key));
     }
+    return task;
   }
 
  private:
+  static double place_of(std::span<const std::string_view> words, const std::string& name, const std::string& word) {
+    const auto found = std::ranges::find(words, word);
+    if (found == words.end())
+      throw py::value_error(fmt::format("{}: must be '{}'; got '{}'", name, fmt::join(words, "' or '"), word));
+    return static_cast<double>(found - words.begin());
+  }
+
   const py::dict& said_;
 };
 
@@ -129,43 +155,18 @@ py::object reach(const Actuator& actuator, const py::dict& said) {
   return answer(actuator, [&] { return formats::to_json(control::reach(model, task)); });
 }
 
-drive::HBridge bridge_of(const Words& words) {
-  drive::HBridge out{.supply_voltage = words.optional("supply_voltage").value_or(24.0),
-                     .supply_resistance = words.number("supply_resistance"),
-                     .high_resistance = words.number("high_resistance_mOhm") * 1e-3,
-                     .low_resistance = words.number("low_resistance_mOhm") * 1e-3,
-                     .dead_time = words.number("dead_time_us") * 1e-6,
-                     .decay = words.word("decay") == "slow" ? drive::Decay::slow : drive::Decay::fast,
-                     .trip = words.optional("current_limit"),
-                     .limit_off_time = words.number("limit_off_time_us") * 1e-6,
-                     .limit_blanking = words.number("limit_blanking_us") * 1e-6};
-  out.diode_voltage = words.optional("diode_voltage").value_or(out.diode_voltage);
-  return out;
-}
-
-systems::CellDrive cell_of(const Words& words) {
-  systems::CellDrive out{.circuit = {.emf = *words.optional("cell_voltage"),
-                                     .resistance = words.number("supply_resistance"),
-                                     .switch_resistance = words.number("switch_resistance_mOhm") * 1e-3},
-                         .most_current = words.optional("cell_limit")};
-  if (const auto capacity = words.optional("cell_capacity_mAh")) out.capacity = *capacity * 3.6;
-  out.circuit.diode_voltage = words.optional("diode_voltage").value_or(out.circuit.diode_voltage);
-  return out;
-}
-
 py::object drive(const Actuator& actuator, const py::dict& said) {
   const Words words(said);
-  systems::DriveQuestion question{
-      .wiring = words.word("wiring") == "series" ? drive::BankWiring::series : drive::BankWiring::parallel,
-      .actuators = words.whole("actuators"),
-      .frequency = words.number("frequency"),
-      .duty = words.optional("duty"),
-      .mean = words.optional("mean_current"),
-      .coil_temperature = words.optional("coil_temperature_degC")};
-  if (words.optional("cell_voltage"))
-    question.driver = cell_of(words);
-  else
-    question.driver = bridge_of(words);
+  const formats::DriveTask usual;
+  const auto task = words.task_of(actuator, formats::drive_rows());
+  systems::DriveQuestion question = task.asked();
+  if (said["coil_temperature_degC"].is_none()) question.coil_temperature.reset();
+  const bool has_cell = task.cell.circuit.emf > 0.0;
+  if (!question.duty && !question.mean) throw py::value_error("give duty, mean_current or both");
+  if (!has_cell && task.cell.capacity) throw py::value_error("cell_capacity_mAh is of a cell: give cell_voltage, too");
+  if (question.duty && question.mean && (has_cell || task.bridge.supply_voltage != usual.bridge.supply_voltage))
+    throw py::value_error(
+        "with duty and mean_current the voltage is what is looked for: give no supply_voltage and no cell_voltage");
   const Built it = built(actuator, "a drive needs a design (actuator/1)");
   return answer(actuator, [&] { return formats::to_json(systems::drive_actuator(it.design, it.assembly, question)); });
 }
@@ -173,11 +174,11 @@ py::object drive(const Actuator& actuator, const py::dict& said) {
 py::object grip(const Actuator& actuator, const py::dict& said) {
   const Words words(said);
   const Built it = built(actuator, "a gripper needs a design (actuator/1)");
-  systems::gripper::GripperTask task;
-  task.mounting.fingers = words.whole("fingers");
-  if (words.word("polarity") == "opposite") task.mounting.polarity = systems::gripper::Polarity::opposite;
-  task.object.shape = formats::shape_named(words.word("shape"));
-  words.set_numbers(formats::grip_numbers(task), task);
+  // Of a shape with a height, of which none may be said.
+  const auto task = words.task_of<systems::gripper::GripperTask>(
+      actuator, formats::grip_rows({.object = {.shape = systems::gripper::ObjectShape::box}}));
+  if (task.object.has_flat_sides() != (task.object.height > 0.0))
+    throw py::value_error("height_mm: is needed for a box and an upright cylinder, and for nothing else");
   const std::optional<double> current = words.optional("current");
   const double most_friction = words.number("least_friction_up_to");
   return answer(actuator, [&] {
@@ -187,8 +188,7 @@ py::object grip(const Actuator& actuator, const py::dict& said) {
 }
 
 py::object crawl(const Actuator& actuator, const py::dict& said) {
-  systems::CrawlTask task;
-  Words(said).set_numbers(formats::crawl_numbers(), task);
+  const auto task = Words(said).task_of(actuator, formats::crawl_rows());
   const Built it = built(actuator, "a crawler needs a design (actuator/1)");
   return answer(actuator, [&] {
     const systems::Crawler crawler(it.design, it.assembly, task.parts);

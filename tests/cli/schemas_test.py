@@ -460,6 +460,24 @@ class SchemasAndProgram(ProgramTest):
         self.assert_same_bounds("study", study, "/crawler/")
         self.assert_same_bounds("study", study, "/driver/")
 
+    def test_bound_the_options_of_a_command_as_its_block(self):
+        known = {"grip": ("gripper", {"width_mm": 60, "mass_g": 40, "friction": 0.8}),
+                 "crawl": ("crawler", {"friction_forwards": 0.3, "friction_backwards": 0.6})}
+        for command, (block, needed) in known.items():
+            explained = " ".join(run("help", command).stdout.split())
+            for key, rule in SCHEMAS["study.schema.json"]["properties"][block]["properties"].items():
+                number, unit = re.fullmatch(r"(.*?)(_(?:deg|mm|g|A|m_s2|Hz|V|mAh|Ohm|ms))?", key).groups()
+                option = "--" + number.replace("_", "-") + (unit or "").replace("_", "-", 1)
+                if "default" in rule:
+                    self.assertRegex(explained, rf"{re.escape(option)} [^()]*(\([^)]*\)[^()]*)*\(default {rule['default']}\)")
+                for value in outside(rule) if rule.get("type") in ("number", "integer") else ():
+                    with self.subTest(f"{command} {option} {value}"):
+                        words = [word for name, usual in {**needed, key: value}.items() if name != key
+                                 for word in ("--" + name.replace("_", "-"), usual)]
+                        result = run(command, PAPER_FINGER, *words, option, value)
+                        self.assertEqual(result.returncode, 2)
+                        self.assertRegex(result.stderr, f"{option}: must be ")
+
     def test_know_every_variable_and_algorithm_of_a_study(self):
         study = data_file("study.json")
         rows = re.findall(r"^\| `(\w+)` \| [^|`]+ \| `(\w+)` \|", (ROOT / "docs/formats-actuator.md").read_text(), re.M)

@@ -30,8 +30,8 @@ class Usage(ProgramTest):
         self.assert_refused(["eval"], 'unknown command "eval"; did you mean "evaluate"? (see coilwright --help)')
         self.assert_refused(["size", "--max=3"], 'size: unknown option "--max"; did you mean "--max-evaluations"? '
                             '(see coilwright size --help)')
-        self.assert_refused(["drive", "x.json", "--wiring", "par"], 'drive: --wiring: must be one of "series", '
-                            '"parallel"; did you mean "parallel"?; got "par" (see coilwright drive --help)')
+        self.assert_refused(["drive", "x.json", "--wiring", "par"], 'drive: --wiring: must be one of "parallel", '
+                            '"series"; did you mean "parallel"?; got "par" (see coilwright drive --help)')
 
     def test_a_file_for_another_command_is_named_with_that_command(self):
         write_study(self, constraints=[], search={"max_evaluations": 20})

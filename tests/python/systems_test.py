@@ -64,6 +64,8 @@ def test_a_field_is_that_of_the_command_to_the_digit(tmp_path, program):
     (lambda finger: cw.grip(finger, width_mm=60, mass_g=1, friction=1, shape="box"), "height_mm"),
     (lambda finger: cw.reach(finger, 900), "actuator|paper_finger"),
     (lambda finger: cw.linearise(finger, [1, 2, 3]), "paper_finger"),
+    (lambda finger: cw.grip(finger, width_mm=60, mass_g=0.0005, friction=1), "mass_g: must be from 0.001 to"),
+    (lambda finger: cw.drive(finger, duty=0.5, actuators=2.5), "actuators: must be a whole number"),
     (lambda finger: cw.crawl(finger, friction_forwards=-1, friction_backwards=1), "paper_finger"),
 ])
 def test_what_cannot_be_asked_is_refused(ask, error, finger):

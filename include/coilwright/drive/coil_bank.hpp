@@ -1,11 +1,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <string_view>
 
 namespace coilwright::drive {
 
 /// Connection of the coils of a bank to one pair of wires.
-enum class BankWiring { series, parallel };
+enum class BankWiring { parallel, series };
+/// Their words.
+inline constexpr std::array<std::string_view, 2> bank_wiring_words{"parallel", "series"};
 
 /// The coils that one driver feeds. Sizes agree.
 struct CoilBank {

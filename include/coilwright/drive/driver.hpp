@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 
 namespace coilwright::drive {
 
@@ -37,6 +39,9 @@ enum class Decay {
   fast   ///< all switches off: diodes return the current to the supply until it is zero, and then nothing flows
 };
 
+/// Their words.
+inline constexpr std::array<std::string_view, 2> decay_words{"slow", "fast"};
+
 /// The ranges within which a bridge works. The defaults are those of the DRV8870 and DRV8871 (data sheets, sections 6.1
 /// and 6.3).
 struct BridgeRatings {
@@ -49,7 +54,7 @@ struct BridgeRatings {
 /// A at 24 V, 1 A and 25 degC (Texas Instruments, data sheet of the DRV8870, section 6.5; the DRV8871 is the same
 /// driver with its limit set by a resistor).
 struct HBridge {
-  double supply_voltage{};         ///< V; finite, > 0
+  double supply_voltage = 24.0;    ///< V; finite, > 0
   double supply_resistance{};      ///< ohm; finite, >= 0; 0 with a large capacitor at the bridge
   double high_resistance = 0.307;  ///< of a high switch, ohm; finite, >= 0
   double low_resistance = 0.258;   ///< of a low switch, ohm; finite, >= 0
@@ -67,10 +72,10 @@ struct HBridge {
 
 /// A battery cell with one switch and a diode across the coils.
 struct CellSwitch {
-  double emf{};                ///< of the open circuit, V; finite, > 0; taken as constant over the discharge
-  double resistance{};         ///< inside the cell with its leads, ohm; finite, >= 0
-  double switch_resistance{};  ///< ohm; finite, >= 0
-  double diode_voltage = 0.4;  ///< of the diode, V; finite, >= 0; a Schottky diode's at about 1 A
+  double emf{};                     ///< of the open circuit, V; finite, > 0; taken as constant over the discharge
+  double resistance{};              ///< inside the cell with its leads, ohm; finite, >= 0
+  double switch_resistance = 0.05;  ///< ohm; finite, >= 0
+  double diode_voltage = 0.4;       ///< of the diode, V; finite, >= 0; a Schottky diode's at about 1 A
 };
 
 /// Makes the driver of a cell. Throws std::invalid_argument naming the field, the rule and the value received.

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include "coilwright/drive/driver.hpp"
@@ -13,11 +15,14 @@ namespace coilwright::systems {
 struct DriverTask {
   /// The kind of switching.
   enum class Kind { h_bridge, cell };
+  /// Their words.
+  static constexpr std::array<std::string_view, 2> kind_words{"h_bridge", "cell"};
   Kind kind{};
-  double voltage{};           ///< of the open circuit, V; finite, > 0
-  double resistance{};        ///< inside, with leads, ohm; finite, >= 0
-  double frequency = 490.0;   ///< of the pulses, Hz; finite, > 0
-  double most_current = 3.6;  ///< largest current of bridge or cell, of all coils, A; finite, > 0
+  double voltage{};          ///< of the open circuit, V; finite, > 0
+  double resistance{};       ///< inside, with leads, ohm; finite, >= 0
+  double frequency = 490.0;  ///< of the pulses, Hz; finite, > 0
+  /// Largest current of bridge or cell, of all coils, A; finite, > 0.
+  double most_current = drive::BridgeRatings{}.peak_current;
   /// Resistance of all switches that the current passes while on, ohm; finite, >= 0.
   double switch_resistance = drive::HBridge{}.high_resistance + drive::HBridge{}.low_resistance;
 };

@@ -74,32 +74,13 @@ void run_crawl(const CrawlOptions& options) {
   std::cerr << remarks(answer);
 }
 
-void add_numbers(CLI::App& command, systems::CrawlTask& task) {
-  const auto number = [&, rows = formats::crawl_numbers()](const char* key, const char* text) {
-    add_number_of(command, rows, key, task, text);
-  };
-  number("friction_forwards", "Coefficient of friction of a foot that slides towards the fingertip");
-  number("friction_backwards", "Of one that slides towards the rear");
-  number("frequency_Hz", "Frequency of the pulses, Hz (default 10)");
-  number("duty", "Fraction of a period with the switch closed (default 0.5)");
-  number("cell_voltage_V", "Voltage of the cell, V (default 4.2)");
-  number("cell_capacity_mAh", "Capacity of the cell, mAh (default 150)");
-  number("cell_limit_A", "The most that the cell delivers, A (default 3)");
-  number("lead_resistance_Ohm", "Of switch and leads, which carry the current of all coils, Ohm (default 0.12)");
-  number("payload_mass_g", "Of battery, board and longer rear part, g (default 23)");
-  number("payload_length_mm", "By which the rear part is longer, mm (default 30)");
-  number("step_ms", "Longest time step, ms (default 0.1)");
-  number("settling_periods", "Periods before it is measured (default 10)");
-  number("periods", "Periods over which it is measured (default 20)");
-}
-
 }  // namespace
 
 void add_crawl_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<CrawlOptions>();
   CLI::App* command = add_command(app, "crawl");
   add_actuator_options(*command, options->actuator);
-  add_numbers(*command, options->task);
+  add_rows(*command, formats::crawl_rows(), options->task);
   add_json_option(*command, options->json);
   command->footer(
       "The actuator lies on its bottom layer with the payload behind its rear part. All coils are in parallel on the\n"

@@ -17,7 +17,7 @@
 
 #include "cli/model/commands.hpp"
 #include "cli/model/placed_bodies.hpp"
-#include "cli/options.hpp"
+#include "cli/model/task_options.hpp"
 #include "cli/outputs.hpp"
 #include "coilwright/exports/field_map.hpp"
 #include "coilwright/formats/actuator/pair_file.hpp"
@@ -321,10 +321,10 @@ void add_field_command(CLI::App& app, Outcome&) {
       ->expected(4)
       ->type_name("LEFT RIGHT BOTTOM TOP")
       ->check(number_rule(millimetres));
-  command->add_option("--cells", options->cells, "Cells along the longer side of the map (default 80)")
+  command->add_option("--cells", options->cells, with_default("Cells along the longer side of the map", options->cells))
       ->type_name("N")
       ->transform(whole_number_rule(Rule::between(2.0, most_cells)));
-  command->add_option("--pose", options->pose, "Which of the file's poses (default 1)")
+  command->add_option("--pose", options->pose, with_default("Which of the file's poses", options->pose))
       ->type_name("N")
       ->transform(whole_number_rule(Rule::between(1.0, 1e6)));
   add_flag(*command, "--gradient", options->gradient, "Also the nine slopes of B, dBx_dy_T_m and so on, in T/m");

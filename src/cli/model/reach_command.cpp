@@ -16,7 +16,7 @@
 
 #include "cli/actuator_input.hpp"
 #include "cli/model/commands.hpp"
-#include "cli/options.hpp"
+#include "cli/model/task_options.hpp"
 #include "cli/outputs.hpp"
 #include "coilwright/actuator/design/current_limit.hpp"
 #include "coilwright/actuator/heat.hpp"
@@ -180,19 +180,21 @@ void add_reach_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<ReachOptions>();
   CLI::App* command = add_command(app, "reach");
   add_actuator_options(*command, options->actuator);
-  const auto number = [&](const char* name, auto& value, const char* text, const Rule& rule) {
+  const auto number = [&](const char* name, auto& value, const std::string& text, const Rule& rule) {
     return add_number(*command, name, value, rule, text);
   };
   const Rule current = Rule::between(-1e6, 1e6);
   number("--angle-deg", options->angle, "Bending angle to reach, deg", Rule::between(-360, 360))->required();
-  number("--from-A", options->from, "Current in every coil before, A (default 0)", current);
-  number("--lowest-current-A", options->lowest, "Lowest current that the driver gives, A (default 0)", current);
-  number("--highest-current-A", options->highest, "Highest, A (default what the wire bears)", current);
-  number("--stiffness-error-percent", options->stiffness_error, "How far k of the hinges may be off (default 10)",
-         Rule::between(0, 50));
-  number("--damping-error-percent", options->damping_error, "How far b may be off (default 10)", Rule::between(0, 50));
+  number("--from-A", options->from, with_default("Current in every coil before, A", options->from), current);
+  number("--lowest-current-A", options->lowest,
+         with_default("Lowest current that the driver gives, A", options->lowest), current);
+  number("--highest-current-A", options->highest, "Highest, A; otherwise what the wire bears", current);
+  number("--stiffness-error-percent", options->stiffness_error,
+         with_default("How far k of the hinges may be off", options->stiffness_error), Rule::between(0, 50));
+  number("--damping-error-percent", options->damping_error,
+         with_default("How far b may be off", options->damping_error), Rule::between(0, 50));
   add_whole_number(*command, "--pieces", options->pieces, Rule::between(1, 6),
-                   "Levels of the searched profile before the last one (default 3)");
+                   with_default("Levels of the searched profile before the last one", options->pieces));
   command->add_option("--out", options->out,
                       "CSV file to write the best profile to, for simulate --input FILE --interval-s 0.002");
   command->add_option("--c-header", options->header,

@@ -18,7 +18,7 @@
 
 #include "cli/actuator_input.hpp"
 #include "cli/model/commands.hpp"
-#include "cli/options.hpp"
+#include "cli/model/task_options.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress_line.hpp"
 #include "coilwright/actuator/assemble.hpp"
@@ -174,10 +174,10 @@ void add_simulate_command(CLI::App& app, Outcome&) {
       "between samples");
   input->require_option(1);
   add_number(*command, "--duration-s", options->duration, text::positive,
-             "Duration of --step-A or --sine, s (default 1)");
+             with_default("Duration of --step-A or --sine, s", usual_duration));
   add_number(*command, "--interval-s", options->interval, text::positive,
-             "Time between samples of --step-A or --sine, s (default 0.002); of --input the longest between samples "
-             "(default those of the file alone)");
+             with_default("Time between samples of --step-A or --sine, s", usual_interval) +
+                 "; of --input the longest between samples, otherwise those of the file alone");
   command->add_option("--out", options->out, "CSV file to write")->required();
   add_flag(*command, "--as-written", options->as_written,
            "Take an --input also where its current is one that no coil carries, as milliamperes for amperes");

@@ -1,32 +1,34 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
-#include <algorithm>
+#include <functional>
+#include <optional>
+#include <ranges>
 #include <string>
-#include <vector>
 
 #include "cli/options.hpp"
-#include "coilwright/formats/systems/task_numbers.hpp"
-#include "coilwright/units/unit.hpp"
+#include "coilwright/formats/systems/task_rows.hpp"
 
 namespace coilwright::cli {
 
-/// Adds the number of that key as an option: "cell_capacity_mAh" is --cell-capacity-mAh. `task` must outlive `command`.
-template <class Task>
-CLI::Option* add_number_of(CLI::App& command, const std::vector<formats::BlockNumber<Task>>& numbers,
-                           std::string_view key, Task& task, const std::string& text) {
-  using Number = formats::BlockNumber<Task>;
-  const Number number = *std::ranges::find(numbers, key, &Number::key);
-  const std::string_view quantity = units::quantity_of(key);
-  std::string name = "--" + std::string(quantity);
-  std::ranges::replace(name, '_', '-');
-  if (quantity != key) name += "-" + std::string(key.substr(quantity.size() + 1));
-  const auto set = [number, &task](double value) { number.set(task, value * units::to_memory(1.0, number.key)); };
-  if (number.kind == Number::Kind::whole_step)
-    return command.add_option_function<int>(name, set, text)->transform(whole_number_rule(number.rule));
-  return command.add_option_function<double>(name, set, text)
-      ->check(number_rule(number.rule))
-      ->required(number.kind == Number::Kind::required);
+/// The explanation of an option with what counts without it: "Duration, s (default 2)".
+[[nodiscard]] std::string with_default(const std::string& text, const auto& usual) {
+  return fmt::format("{} (default {})", text, usual);
+}
+
+/// The option of a row, "--cell-capacity-mAh" of "cell_capacity_mAh"; its help ends with `usual`, what counts without
+/// it.
+/// `set` takes the number as in memory, or the place of the word.
+CLI::Option* add_row_option(CLI::App& command, const text::RowFacts& row, const std::optional<double>& usual,
+                            std::function<void(double)> set);
+
+/// Adds the numbers of `rows` as options. `task` must outlive `command`.
+template <std::ranges::input_range Rows, class Task>
+void add_rows(CLI::App& command, const Rows& rows, Task& task) {
+  for (const text::Row<Task>& row : rows)
+    add_row_option(command, row, row.get(task), [set = row.set, &task](double value) { set(task, value); });
 }
 
 }  // namespace coilwright::cli

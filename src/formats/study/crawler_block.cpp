@@ -7,7 +7,6 @@ namespace {
 
 using namespace text;
 using systems::CrawlTask;
-using CrawlerNumber = BlockNumber<CrawlTask>;
 
 void require_no_terms(const actuator::Design& design) {
   require_without(
@@ -18,13 +17,11 @@ void require_no_terms(const actuator::Design& design) {
 
 SystemBlock read_crawler_block(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
-    CrawlTask task;
-    const std::vector<CrawlerNumber> all = crawl_numbers();
-    read_numbers<CrawlTask>(in, all, task);
-    const auto task_of = task_by("crawler", all, task);
+    const auto task = read_rows(in, crawl_rows(), CrawlTask{});
+    const auto task_of = task_by("crawler", crawl_rows(), task);
     return SystemBlock{
         .quantities = systems::crawl_quantities(task_of),
-        .variables = variables_of<CrawlTask>("crawler", all, task),
+        .variables = variables_of("crawler", crawl_rows(), task),
         .require_suitable = require_no_terms,
         .driven = {.drive = [task_of](const actuator::Assembly& assembly, const simulation::Settings& settings) {
           const systems::CrawlerParts parts = task_of(settings).parts;

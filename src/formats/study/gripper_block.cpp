@@ -7,9 +7,7 @@ namespace {
 
 using namespace text;
 using systems::gripper::GripperTask;
-using systems::gripper::ObjectShape;
 using systems::gripper::Polarity;
-using GripperNumber = BlockNumber<GripperTask>;
 
 // What no number of the study changes.
 void require_possible(ObjectReader& in, const GripperTask& task) {
@@ -30,20 +28,15 @@ void require_no_states(const actuator::Design& design) {
 
 SystemBlock read_gripper_block(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
-    GripperTask task;
-    task.object.shape = in.choice_or<ObjectShape>("shape", ObjectShape::sphere,
-                                                  {{"sphere", ObjectShape::sphere},
-                                                   {"cylinder", ObjectShape::cylinder},
-                                                   {"box", ObjectShape::box},
-                                                   {"upright_cylinder", ObjectShape::upright_cylinder}});
-    task.mounting.fingers = in.integer_or("fingers", 2, Rule::between(2, systems::gripper::most_fingers));
-    task.mounting.polarity = in.choice_or<Polarity>("polarity", Polarity::same,
-                                                    {{"same", Polarity::same}, {"opposite", Polarity::opposite}});
+    // Choices and the number of fingers say which numbers there are.
+    auto choices = grip_rows({});
+    std::erase_if(choices, [](const auto& row) { return row.words.empty() && !row.whole; });
+    GripperTask task = read_rows(in, choices, GripperTask{});
     require_possible(in, task);
-    const std::vector<GripperNumber> numbers = grip_numbers(task);
-    read_numbers<GripperTask>(in, numbers, task);
-    return SystemBlock{.quantities = systems::gripper::gripper_quantities(task_by("gripper", numbers, task)),
-                       .variables = variables_of<GripperTask>("gripper", numbers, task),
+    const auto rows = grip_rows(task);
+    task = read_rows(in, rows, task);
+    return SystemBlock{.quantities = systems::gripper::gripper_quantities(task_by<GripperTask>("gripper", rows, task)),
+                       .variables = variables_of<GripperTask>("gripper", rows, task),
                        .require_suitable = require_no_states};
   });
 }

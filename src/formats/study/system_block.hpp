@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <span>
@@ -13,10 +12,10 @@
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/design/design.hpp"
-#include "coilwright/formats/systems/task_numbers.hpp"
+#include "coilwright/formats/systems/task_rows.hpp"
 #include "coilwright/simulation/quantity.hpp"
 #include "coilwright/sizing/study/study.hpp"
-#include "coilwright/text/json/object_reader.hpp"
+#include "coilwright/text/json/rows.hpp"
 #include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
@@ -62,38 +61,25 @@ inline std::string variable_name(std::string_view block, std::string_view key) {
   return std::string(block) + "_" + std::string(key);
 }
 
-/// Reads the numbers of a block into `task`.
-template <class Task>
-void read_numbers(text::ObjectReader& in, std::span<const BlockNumber<Task>> numbers, Task& task) {
-  using Number = BlockNumber<Task>;
-  for (const Number& number : numbers) {
-    const auto node = number.kind == Number::Kind::required ? in.at(number.key) : in.find(number.key);
-    if (!node) continue;
-    const double value =
-        number.kind == Number::Kind::whole_step ? node->template integer<int>(number.rule) : node->number(number.rule);
-    number.set(task, units::to_memory(value, number.key));
-  }
-}
-
 /// The numbers of a block that may vary.
 template <class Task>
-std::vector<BlockVariable> variables_of(std::string_view block, std::span<const BlockNumber<Task>> numbers,
+std::vector<BlockVariable> variables_of(std::string_view block, std::span<const text::Row<Task>> rows,
                                         const Task& task) {
   std::vector<BlockVariable> out;
-  for (const BlockNumber<Task>& number : numbers)
-    if (number.kind == BlockNumber<Task>::Kind::setting || number.kind == BlockNumber<Task>::Kind::required)
-      out.push_back({.name = variable_name(block, number.key),
-                     .rule = number.rule,
-                     .base = units::from_memory(number.get(task), number.key)});
+  for (const text::Row<Task>& row : rows)
+    if (row.need != text::Need::fixed && !row.whole && row.words.empty())
+      out.push_back({.name = variable_name(block, row.key),
+                     .rule = row.rule,
+                     .base = units::from_memory(row.get(task).value(), row.key)});
   return out;
 }
 
 /// The task of one design: the block's own, with the settings of that design.
 template <class Task>
-std::function<Task(const simulation::Settings&)> task_by(std::string_view block, std::vector<BlockNumber<Task>> numbers,
+std::function<Task(const simulation::Settings&)> task_by(std::string_view block, std::span<const text::Row<Task>> rows,
                                                          Task task) {
   std::vector<std::pair<std::string, void (*)(Task&, double)>> setters;
-  for (const BlockNumber<Task>& number : numbers) setters.emplace_back(variable_name(block, number.key), number.set);
+  for (const text::Row<Task>& row : rows) setters.emplace_back(variable_name(block, row.key), row.set);
   return [setters = std::move(setters), task = std::move(task)](const simulation::Settings& settings) {
     Task out = task;
     if (settings.empty()) return out;

@@ -42,17 +42,18 @@ def reach(actuator: Actuator, angle_deg: float, *, from_current: float = 0.0, lo
     """
     return _answer(_core.reach, actuator, angle_deg=angle_deg, from_current=from_current, lowest_current=lowest_current,
                    highest_current=highest_current, stiffness_error_percent=stiffness_error_percent,
-                   damping_error_percent=damping_error_percent, pieces=pieces)
+                   damping_error_percent=damping_error_percent, pieces=whole("pieces", pieces))
 
 
-def drive(actuator: Actuator, *, duty: Optional[float] = None, mean_current: Optional[float] = None,
-          frequency: float = 490.0, wiring: str = "parallel", actuators: int = 1,
-          coil_temperature_degC: Optional[float] = 20.0, supply_voltage: Optional[float] = None,
-          supply_resistance: float = 0.0, high_resistance_mOhm: float = 307.0, low_resistance_mOhm: float = 258.0,
-          diode_voltage: Optional[float] = None, dead_time_us: float = 0.22, decay: str = "slow",
-          current_limit: Optional[float] = None, limit_off_time_us: float = 25.0, limit_blanking_us: float = 2.0,
-          cell_voltage: Optional[float] = None, cell_capacity_mAh: Optional[float] = None,
-          cell_limit: Optional[float] = None, switch_resistance_mOhm: float = 50.0) -> dict[str, Any]:
+def drive(actuator: Actuator, *, mean_current: Optional[float] = None,  # rows:
+          duty: Optional[float] = None, frequency: float = 490.0, wiring: str = "parallel", actuators: int = 1,
+          coil_temperature_degC: Optional[float] = 20.0, supply_voltage: float = 24.0, decay: str = "slow",
+          current_limit: Optional[float] = None, supply_resistance: float = 0.0, high_resistance_mOhm: float = 307.0,
+          low_resistance_mOhm: float = 258.0, dead_time_us: float = 0.22, limit_off_time_us: float = 25.0,
+          limit_blanking_us: float = 2.0, diode_voltage: Optional[float] = None, bridge_lowest: float = 6.5,
+          bridge_highest: float = 45.0, bridge_peak: float = 3.6, cell_voltage: Optional[float] = None,
+          cell_capacity_mAh: Optional[float] = None, cell_limit: Optional[float] = None,
+          switch_resistance_mOhm: float = 50.0) -> dict[str, Any]:
     """Currents, heat and run time of coils under pulses of an H-bridge or, with a cell_voltage, of a cell behind a switch:
     what `coilwright drive --json` prints.
 
@@ -64,28 +65,16 @@ def drive(actuator: Actuator, *, duty: Optional[float] = None, mean_current: Opt
     >>> 0 < answer["duty"] < 1
     True
     """
-    if duty is None and mean_current is None:
-        raise ValueError("give duty, mean_current or both")
-    if cell_voltage is None and cell_capacity_mAh is not None:
-        raise ValueError("cell_capacity_mAh is of a cell: give cell_voltage, too")
-    if duty is not None and mean_current is not None and not (cell_voltage is None and supply_voltage is None):
-        raise ValueError("with duty and mean_current the voltage is what is looked for: give no supply_voltage and no cell_voltage")
-    _one_of("wiring", wiring, ("parallel", "series"))
-    _one_of("decay", decay, ("slow", "fast"))
-    return _answer(_core.drive, actuator, duty=duty, mean_current=mean_current, frequency=frequency, wiring=wiring,
-                   actuators=actuators, coil_temperature_degC=coil_temperature_degC, supply_voltage=supply_voltage,
-                   supply_resistance=supply_resistance, high_resistance_mOhm=high_resistance_mOhm,
-                   low_resistance_mOhm=low_resistance_mOhm, diode_voltage=diode_voltage, dead_time_us=dead_time_us,
-                   decay=decay, current_limit=current_limit, limit_off_time_us=limit_off_time_us,
-                   limit_blanking_us=limit_blanking_us, cell_voltage=cell_voltage, cell_capacity_mAh=cell_capacity_mAh,
-                   cell_limit=cell_limit, switch_resistance_mOhm=switch_resistance_mOhm)
+    said = locals()
+    said["mean_A"] = said.pop("mean_current")
+    return _answer(_core.drive, **said)
 
 
-def grip(actuator: Actuator, *, width_mm: float, mass_g: float, friction: float, shape: str = "sphere",
-         height_mm: float = 0.0, centre_x_mm: float = 0.0, centre_below_palm_mm: float = 16.0,
-         mounting_angle_deg: float = 30.0, fingers: int = 2, spacing_mm: float = 70.0, polarity: str = "same",
-         current: Optional[float] = None, open_current: float = 0.0, acceleration_m_s2: float = 0.0,
-         least_current_up_to: float = 0.0, least_friction_up_to: float = 0.0) -> dict[str, Any]:
+def grip(actuator: Actuator, *, current: Optional[float] = None, least_friction_up_to: float = 0.0,  # rows:
+         shape: str = "sphere", width_mm: float, height_mm: Optional[float] = None, mass_g: float, friction: float,
+         centre_x_mm: float = 0.0, centre_below_palm_mm: float = 16.0, mounting_angle_deg: float = 30.0,
+         fingers: int = 2, spacing_mm: float = 70.0, polarity: str = "same", open_current: float = 0.0,
+         acceleration_m_s2: float = 0.0, least_current_up_to: Optional[float] = None) -> dict[str, Any]:
     """What becomes of an object between fingers: what `coilwright grip --json` prints.
 
     shape: "sphere", "cylinder", "box" or "upright_cylinder", the last two with a height_mm. current: A, otherwise that of
@@ -95,19 +84,12 @@ def grip(actuator: Actuator, *, width_mm: float, mass_g: float, friction: float,
     >>> cw.grip(cw.Actuator.load("configs/actuators/paper_finger.json"), width_mm=60, mass_g=20, friction=0.8)["holds"]
     True
     """
-    _one_of("shape", shape, ("sphere", "cylinder", "box", "upright_cylinder"))
-    _one_of("polarity", polarity, ("same", "opposite"))
-    if (height_mm > 0) != (shape in ("box", "upright_cylinder")):
-        raise ValueError("height_mm: is needed for a box and an upright cylinder, and for nothing else")
-    return _answer(_core.grip, actuator, width_mm=width_mm, mass_g=mass_g, friction=friction, shape=shape,
-                   height_mm=height_mm, centre_x_mm=centre_x_mm, centre_below_palm_mm=centre_below_palm_mm,
-                   mounting_angle_deg=mounting_angle_deg, fingers=fingers, spacing_mm=spacing_mm, polarity=polarity,
-                   current=current, open_current=open_current, acceleration_m_s2=acceleration_m_s2,
-                   least_current_up_to=least_current_up_to, least_friction_up_to=least_friction_up_to)
+    return _answer(_core.grip, **locals())
 
 
-def crawl(actuator: Actuator, *, friction_forwards: float, friction_backwards: float, frequency: float = 10.0,
-          duty: float = 0.5, cell_voltage: float = 4.2, cell_capacity_mAh: float = 150.0, cell_limit: float = 3.0,
+def crawl(actuator: Actuator, *,  # rows:
+          friction_forwards: float, friction_backwards: float, frequency: float = 10.0, duty: float = 0.5,
+          cell_voltage: float = 4.2, cell_capacity_mAh: float = 150.0, cell_limit: float = 3.0,
           lead_resistance: float = 0.12, payload_mass_g: float = 23.0, payload_length_mm: float = 30.0,
           step_ms: float = 0.1, settling_periods: int = 10, periods: int = 20) -> dict[str, Any]:
     """How an actuator crawls on the ground by pulses of a cell: what `coilwright crawl --json` prints.
@@ -120,10 +102,7 @@ def crawl(actuator: Actuator, *, friction_forwards: float, friction_backwards: f
     >>> cw.crawl(finger, friction_forwards=0.3, friction_backwards=0.6, periods=2, settling_periods=1)["power_W"] > 0
     True
     """
-    return _answer(_core.crawl, actuator, friction_forwards=friction_forwards, friction_backwards=friction_backwards,
-                   frequency=frequency, duty=duty, cell_voltage=cell_voltage, cell_capacity_mAh=cell_capacity_mAh,
-                   cell_limit=cell_limit, lead_resistance=lead_resistance, payload_mass_g=payload_mass_g,
-                   payload_length_mm=payload_length_mm, step_ms=step_ms, settling_periods=settling_periods, periods=periods)
+    return _answer(_core.crawl, **locals())
 
 
 def yield_of(study: Study, actuator: Actuator, *, current: Optional[float] = None, builds: int = 1000, worth: int = 0,
@@ -146,16 +125,8 @@ def yield_of(study: Study, actuator: Actuator, *, current: Optional[float] = Non
     return answer
 
 
-def _one_of(name: str, value: str, words: tuple[str, ...]) -> None:
-    if value not in words:
-        raise ValueError(f"{name}: must be {', '.join(map(repr, words[:-1]))} or {words[-1]!r}; got {value!r}")
-
-
 def _answer(ask: Any, actuator: Actuator, **said: Any) -> dict[str, Any]:
     plain = {name: value if value is None or isinstance(value, str)
-             else whole(name, value) if name in _WHOLE else number(name, value) for name, value in said.items()}
+             else value if isinstance(value, int) else number(name, value) for name, value in said.items()}
     answer: dict[str, Any] = ask(core_of(actuator, Actuator), plain)
     return answer
-
-
-_WHOLE = frozenset({"actuators", "fingers", "periods", "pieces", "settling_periods"})

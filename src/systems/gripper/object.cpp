@@ -1,20 +1,8 @@
 #include "coilwright/systems/gripper/object.hpp"
 
-#include <array>
-
 #include "systems/check.hpp"
 
 namespace coilwright::systems::gripper {
-namespace {
-
-// In the order of ObjectShape.
-constexpr std::array<std::string_view, 4> shape_names = {"sphere", "cylinder", "box", "upright_cylinder"};
-
-}  // namespace
-
-std::string_view name_of(ObjectShape shape) {
-  return shape_names.at(static_cast<std::size_t>(shape));
-}
 
 double Object::inertia() const {
   const double radius = 0.5 * width;

@@ -57,9 +57,9 @@ Node ObjectReader::at_in_any_unit(std::string_view key) {
   return *std::move(node);
 }
 
-Node ObjectReader::at(std::string_view key) {
+Node ObjectReader::at(std::string_view key, std::span<const std::string_view> words) {
   auto node = find(key);
-  if (!node) throw missing(key);
+  if (!node) throw missing(key, words);
   return *std::move(node);
 }
 
@@ -127,7 +127,7 @@ void ObjectReader::finish() const {
   }
 }
 
-InputError ObjectReader::missing(std::string_view key, const std::vector<std::string>& legal) const {
+InputError ObjectReader::missing(std::string_view key, std::span<const std::string_view> legal) const {
   std::vector<std::string> strangers;
   const std::vector<std::string> wanted{std::string(key)};
   for (const std::string& present : node_.keys()) {
@@ -138,7 +138,7 @@ InputError ObjectReader::missing(std::string_view key, const std::vector<std::st
   // Not all keys have been asked for yet, so the near one may be legal in its own right: a question, not a verdict.
   const std::vector<std::string> near = nearest_words(key, strangers);
   std::string rule = "is missing";
-  if (!legal.empty()) rule += ": it " + must_be_one_of(legal);
+  if (!legal.empty()) rule += ": it " + must_be_one_of(std::vector<std::string>(legal.begin(), legal.end()));
   if (!near.empty()) rule += fmt::format("; is {} meant to be it?", in_quotes(near.front()));
   return at_key(node_, key, std::move(rule));
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <string_view>
 #include <vector>
 
 #include "coilwright/actuator/assemble.hpp"
@@ -15,6 +17,9 @@ enum class Polarity {
   opposite  ///< every second finger's coils and magnets are all turned: two that face each other attract, currents act
             ///< alike
 };
+
+/// The words of the polarities.
+inline constexpr std::array<std::string_view, 2> polarity_words{"same", "opposite"};
 
 /// Places and angles at which like fingers are mounted.
 struct Mounting {

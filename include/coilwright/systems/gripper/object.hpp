@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <string_view>
 
 namespace coilwright::systems::gripper {
@@ -13,8 +14,12 @@ enum class ObjectShape {
   upright_cylinder  ///< a cup: its axis is that of the gripper
 };
 
-/// The word of a shape: "sphere", "cylinder", "box", "upright_cylinder".
-[[nodiscard]] std::string_view name_of(ObjectShape shape);
+/// The words of the shapes.
+inline constexpr std::array<std::string_view, 4> shape_words{"sphere", "cylinder", "box", "upright_cylinder"};
+/// The word of a shape.
+[[nodiscard]] constexpr std::string_view name_of(ObjectShape shape) {
+  return shape_words[static_cast<std::size_t>(shape)];
+}
 
 /// An object for a gripper: rigid, and moved only in the plane of the fingers.
 struct Object {

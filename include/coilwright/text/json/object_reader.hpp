@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <optional>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -34,8 +35,8 @@ class ObjectReader {
   /// Reads `node`. Throws InputError if it is not an object.
   explicit ObjectReader(Node node);
 
-  /// The value under a required key.
-  [[nodiscard]] Node at(std::string_view key);
+  /// The value under a required key; where it is to be one of `words`, its absence is told with them.
+  [[nodiscard]] Node at(std::string_view key, std::span<const std::string_view> words = {});
   /// The value under an optional key.
   [[nodiscard]] std::optional<Node> find(std::string_view key);
   /// The value under an optional key; null counts as absent.
@@ -84,11 +85,9 @@ class ObjectReader {
   /// The value of one of the listed words.
   template <class Value>
   [[nodiscard]] Value choice(std::string_view key, std::initializer_list<std::pair<std::string_view, Value>> words) {
-    const auto node = find(key);
-    if (node) return node->choice<Value>(words);
-    std::vector<std::string> legal;
-    for (const auto& [word, value] : words) legal.emplace_back(word);
-    throw missing(key, legal);
+    std::vector<std::string_view> legal;
+    for (const auto& [word, value] : words) legal.push_back(word);
+    return at(key, legal).choice<Value>(words);
   }
   /// The value of one of the listed words, or `otherwise` if the key is absent.
   template <class Value>
@@ -124,7 +123,7 @@ class ObjectReader {
 
  private:
   // `legal`: the words of which it must be one, where there are such.
-  [[nodiscard]] InputError missing(std::string_view key, const std::vector<std::string>& legal = {}) const;
+  [[nodiscard]] InputError missing(std::string_view key, std::span<const std::string_view> legal = {}) const;
   [[nodiscard]] InputError unknown(const std::string& key) const;
 
   Node node_;

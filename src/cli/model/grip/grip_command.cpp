@@ -41,7 +41,8 @@ auto at_place(const std::string& place, const Call& call) {
 // Closes the gripper on the object, lifts and loads it. Throws InputError naming the file or the options whose rule is
 // broken.
 GripAnswer answer_of(const GripOptions& options) {
-  const systems::gripper::GripperTask task = task_of(options);
+  const systems::gripper::GripperTask& task = options.task;
+  check(task);
   formats::ActuatorFile file = read_actuator(options.actuator);
   const actuator::Design design = built_design(file, options.actuator, "a gripper needs a design (actuator/1)").design;
   (void)at_place(options.actuator.file, [&] { return Gripper(design, task.mounting); });

@@ -56,6 +56,11 @@ def references(value):
 
 def study_schema(schema, rows):
     variables = schema["properties"]["variables"]["properties"]
+    # Of the current it says more ways than a number, and poses that follow from the objectives.
+    point = schema["properties"]["operating_point"]["properties"]
+    for key, rule in rows["operating_point"]["properties"].items():
+        if key != "cases":
+            point[key] = rule
     for name in [name for name in variables if name.split("_")[0] in BLOCKS]:
         del variables[name]
     for block, name in BLOCKS.items():
@@ -70,11 +75,74 @@ def study_schema(schema, rows):
     return without_unused(schema)
 
 
+def with_numbers(at, *described):
+    """Writes the numbers of an object into its schema, before what it has besides."""
+    numbers = {key: rule for each in described for key, rule in each["properties"].items()}
+    others = {key: rule for key, rule in at["properties"].items() if key not in numbers and key != "comment"}
+    at["properties"] = {**COMMENT, **numbers, **others}
+    required = [key for each in described for key in each["required"]]
+    if required:
+        at["required"] = required
+
+
 def without_unused(schema):
     used = references(schema)
     if "$defs" in schema:
         schema["$defs"] = {key: rule for key, rule in schema["$defs"].items() if f"#/$defs/{key}" in used}
     return schema
+
+
+def actuator_schema(schema, rows):
+    sections = schema["properties"]
+    for parameter in rows["parameters"]:
+        # What a section says of a number in words, and whether it has a default, is the schema's own.
+        at, key = sections[parameter["section"]]["properties"], parameter["key"]
+        rule = {**parameter["rule"], "description": at[key]["description"]}
+        if "default" not in at[key]:
+            rule.pop("default", None)
+        at[key] = rule
+    with_numbers(sections["model"], rows["model"])
+    with_numbers(sections["operating_point"], rows["operating_point"])
+    with_numbers(sections["measured"], rows["measured"])
+    with_numbers(sections["calibration"]["properties"]["hinge_reference"], rows["hinge_reference"])
+    return without_unused(schema)
+
+
+def lumped_model_schema(schema, rows):
+    with_numbers(schema["properties"]["links"]["items"], rows["link"])
+    joint = schema["properties"]["joints"]["items"]
+    with_numbers(joint, rows["joint"], rows["rotor"])
+    with_numbers(joint["properties"]["contact"]["oneOf"][1], rows["contact"])
+    with_numbers(schema["$defs"]["coil"], rows["coil"])
+    with_numbers(schema["$defs"]["magnet"], rows["magnet"])
+    return without_unused(schema)
+
+
+def sentence(text):
+    return text[0].upper() + text[1:] + "."
+
+
+def effect_schema(effect):
+    properties = {key: {**rule, "description": sentence(rule["description"].rstrip("."))}
+                  for key, rule in effect["properties"].items()}
+    numbers = {"type": "object", "properties": {**COMMENT, **properties}}
+    further = [key for key in effect["properties"] if key not in effect["required"]]
+    if len(further) > 1:
+        numbers["dependentRequired"] = {key: [other for other in further if other != key] for key in further}
+    if effect["required"]:
+        numbers["required"] = effect["required"]
+    numbers["additionalProperties"] = False
+    return {"title": effect["id"], "description": sentence(effect["description"]),
+            "properties": {**COMMENT, "id": {"const": effect["id"]}, "parameters": numbers},
+            "required": ["id", "parameters"] if effect["required"] else ["id"], "additionalProperties": False}
+
+
+def effects_schema(_, rows):
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "effects of an actuator",
+            "description": "What a model has that its stages do not say: the key \"effects\" of an actuator/1 and of a "
+                           "lumped-model/1. Each id once, with all its parameters.",
+            "type": "array", "maxItems": len(rows["effects"]),
+            "items": {"type": "object", "oneOf": [effect_schema(each) for each in rows["effects"]]}}
 
 
 def default_of(rule):
@@ -134,8 +202,10 @@ def main():
     rows = json.loads(subprocess.run([program], check=True, capture_output=True, text=True).stdout,
                       parse_float=lambda digits: int(float(digits)) if float(digits).is_integer() else float(digits))
     makers = {
-        "configs/schemas/study.schema.json":
-            lambda text: json_text(study_schema(json.loads(text), rows)) + "\n",
+        **{f"configs/schemas/{name}.schema.json":
+           lambda text, make=make: json_text(make(json.loads(text), rows)) + "\n"
+           for name, make in {"actuator": actuator_schema, "effects": effects_schema, "lumped-model": lumped_model_schema,
+                              "study": study_schema}.items()},
         "docs/formats-study.md": lambda text: documented(text, rows),
         "src/python/coilwright/_systems.py": lambda text: python_keywords(text, rows),
     }

@@ -21,6 +21,7 @@ struct RowFacts {
   Need need = Need::optional;                 ///< the default is that of a thing as it is made
   bool whole{};                               ///< a whole number
   std::span<const std::string_view> words{};  ///< of a choice, by its value from 0; empty for a number
+  std::string_view also{};                    ///< another key of it, which files may have instead
 };
 
 /// A number of a `Thing`, or a choice. Readers, writers, schemas, options of commands and their defaults, tables of the
@@ -29,6 +30,8 @@ template <class Thing>
 struct Row : RowFacts {
   std::optional<double> (*get)(const Thing&) = nullptr;  ///< SI (degC), or the place of a word; absent: not said
   void (*set)(Thing&, double) = nullptr;                 ///< the same
+  double Thing::*member{};                               ///< where it is a number of the thing itself
+  std::optional<double> Thing::*said{};                  ///< the same of a number that the thing may lack
 };
 
 /// The class that has a member.
@@ -62,6 +65,8 @@ template <auto First, auto... Rest>
     else
       place = static_cast<Value>(value);
   };
+  if constexpr (sizeof...(Rest) == 0 && std::is_same_v<Value, double>) out.member = First;
+  if constexpr (sizeof...(Rest) == 0 && std::is_same_v<Value, std::optional<double>>) out.said = First;
   return out;
 }
 

@@ -18,7 +18,6 @@
 #include "coilwright/units/unit.hpp"
 #include "formats/actuator/actuator_reader.hpp"
 #include "formats/actuator/as_built_format.hpp"
-#include "formats/actuator/choice_words.hpp"
 #include "formats/actuator/magnetic_parts.hpp"
 
 namespace coilwright::formats {
@@ -49,22 +48,11 @@ Json section_json(const Design& design, std::string_view section) {
   return out;
 }
 
-Json choices_json(const ModelChoices& choices) {
-  Json out = Json::object();
-  for_each_model_choice(
-      [&](const char* key, auto member, const auto& words) { out.set(key, word_for(words, choices.*member)); });
-  return out;
-}
-
 Json calibration_json(const Design& design) {
   Json out = section_json(design, "calibration");
   const std::optional<HingeReference>& hinge = design.calibration.hinge;
   if (!hinge) return out;
-  out.set("hinge_reference", Json::object({Json::quantity("width_mm", hinge->width),
-                                           Json::quantity("bottom_layer_mm", hinge->bottom_layer),
-                                           Json::quantity("joint_stiffness_Nmm_rad", hinge->stiffness),
-                                           Json::quantity("joint_damping_Nmms_rad", hinge->damping),
-                                           Json::quantity("first_mode_Hz", hinge->first_mode)}));
+  out.set("hinge_reference", rows_json(*hinge, hinge_reference_rows));
   return out;
 }
 
@@ -93,9 +81,9 @@ Json lumped_json(const UpdatedLumpedModel& lumped) {
 }
 
 Json joint_json(const actuator::Hinge& hinge, const mechanics::Link& link) {
-  Json out = numbers_json(hinge, joint_numbers);
+  Json out = rows_json(hinge, joint_rows);
   if (link.rotor_inertia > 0.0) out.set("rotor_inertia_kgm2", link.rotor_inertia);
-  if (hinge.contact.stiffness > 0.0) out.set("contact", numbers_json(hinge.contact, contact_numbers));
+  if (hinge.contact.stiffness > 0.0) out.set("contact", rows_json(hinge.contact, contact_rows));
   return out;
 }
 
@@ -104,12 +92,12 @@ Json source_json(const actuator::TorqueTable& table) {
 }
 
 Json source_json(const actuator::PairDimensions& pair) {
-  Json out = Json::object({{"winding", word_for(winding_words, pair.coil.winding)},
-                           {"torque", word_for(fidelity_words, pair.fidelity)},
+  Json out = Json::object({{"winding", winding_words[static_cast<std::size_t>(pair.coil.winding)]},
+                           {"torque", fidelity_words[static_cast<std::size_t>(pair.fidelity)]},
                            {"coil", coil_json(pair.coil)},
                            {"magnet", magnet_json(pair.magnet)}});
-  for (const GeometryKey& key : geometry_keys)
-    out.set(Json::quantity(std::string(key.ours), pair.geometry.*key.member));
+  for (const auto& length : geometry_rows)
+    out.set(Json::quantity(std::string(length.key), pair.geometry.*length.member));
   return out;
 }
 
@@ -155,7 +143,7 @@ Json to_json(const Design& design, const std::string& name, const std::optional<
                            {"magnet", section_json(design, "magnet")},
                            {"body", section_json(design, "body")},
                            {"surroundings", section_json(design, "surroundings")},
-                           {"model", choices_json(design.choices)},
+                           {"model", rows_json(design.choices, model_rows)},
                            {"calibration", calibration_json(design)}});
   if (design.bottom_silicone) out.set("bottom_layer_silicone", section_json(design, "bottom_layer_silicone"));
   if (!design.effects.empty()) out.set("effects", to_json(design.effects));
@@ -175,8 +163,7 @@ Json to_json(const actuator::LumpedModel& model, const std::string& name, const 
   out.set(Json::quantity(std::string(gravity_key), model.gravity));
   Json joints = Json::array();
   for (std::size_t j = 0; j < model.hinges.size(); ++j) joints.add(joint_json(model.hinges[j], model.links.at(j)));
-  out.set("links",
-          Json::list(model.links, [](const mechanics::Link& link) { return numbers_json(link, link_numbers); }));
+  out.set("links", Json::list(model.links, [](const mechanics::Link& link) { return rows_json(link, link_rows); }));
   out.set("joints", std::move(joints));
   if (!model.pairs.empty()) out.set("magnetics", magnetics_json(model));
   if (!model.effects.empty()) out.set("effects", to_json(model.effects));

@@ -16,7 +16,6 @@
 #include "coilwright/units/unit.hpp"
 #include "coilwright/winding/wire.hpp"
 #include "formats/actuator/as_built_format.hpp"
-#include "formats/actuator/choice_words.hpp"
 #include "formats/actuator/magnetic_parts.hpp"
 
 namespace coilwright::formats {
@@ -24,10 +23,7 @@ namespace {
 
 using namespace text;
 
-// Far beyond any hardware, and near enough that nothing overflows or takes for ever.
-constexpr double largest_number = 1e6;
 constexpr double most_turns = 10'000.0;
-constexpr Rule measurement = positive.and_also(Rule::at_most(largest_number));
 constexpr double absolute_zero = -273.15;  // degC
 
 // For which the relation between a hardness and a modulus holds: Shore A by Gent, Shore 00 by Hertz.
@@ -40,18 +36,6 @@ constexpr Rule modulus_MPa = Rule::between(1e-3, 100.0);
 
 using actuator::ComponentKind;
 using actuator::Design;
-
-// Where k and b were measured, all of it or none.
-actuator::HingeReference read_hinge_reference(const Node& node) {
-  return read_object(node, [](ObjectReader& in) {
-    return actuator::HingeReference{
-        .width = in.quantity("width_mm", part_dimension),
-        .bottom_layer = in.quantity("bottom_layer_mm", part_dimension),
-        .stiffness = in.quantity("joint_stiffness_Nmm_rad", measurement),
-        .damping = in.quantity("joint_damping_Nmms_rad", Rule::between(0.0, largest_number)),
-        .first_mode = in.quantity("first_mode_Hz", measurement)};
-  });
-}
 
 // Whether a file carries factors that were found under the hinge law of the first version, which wrote no law. What it
 // leaves out was another default then.
@@ -91,30 +75,18 @@ void read_section(ObjectReader& in, std::string_view section, Design& design) {
   }
   if (section == "calibration")
     if (const auto reference = keys.find("hinge_reference"))
-      design.calibration.hinge = read_hinge_reference(*reference);
+      design.calibration.hinge = read_object(*reference, [](ObjectReader& joint) {
+        return read_rows(joint, hinge_reference_rows, actuator::HingeReference{});
+      });
   keys.finish();
 }
 
 actuator::ModelChoices read_choices(const Node& node, const actuator::ModelChoices& usual) {
-  return read_object(node, [&usual](ObjectReader& in) {
-    actuator::ModelChoices out = usual;
-    for_each_model_choice([&](const char* key, auto member, const auto& words) {
-      out.*member = choice_or(in, key, usual.*member, words);
-    });
-    return out;
-  });
+  return read_object(node, [&usual](ObjectReader& in) { return read_rows(in, model_rows, usual); });
 }
 
 actuator::Measured read_measured(const Node& node) {
-  return read_object(node, [](ObjectReader& in) {
-    actuator::Measured measured;
-    for (const MeasuredKey& each : measured_keys)
-      measured.*each.member = in.optional_quantity(each.key, each.key.ends_with("_mm") ? part_dimension : measurement);
-    // A posture, not a size: closed joints are at 0.
-    measured.continuous_current_joint_angle =
-        in.optional_quantity("continuous_current_joint_angle_deg", Rule::between(0.0, 180.0));
-    return measured;
-  });
+  return read_object(node, [](ObjectReader& in) { return read_rows(in, measured_rows, actuator::Measured{}); });
 }
 
 // A slip of the unit makes a measured value a thousand times what the dimensions give, which no silicone does that is

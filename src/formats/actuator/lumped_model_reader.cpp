@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <exception>
@@ -13,7 +14,6 @@
 
 #include "coilwright/magnetics/hinge_torque.hpp"
 #include "formats/actuator/as_built_format.hpp"
-#include "formats/actuator/choice_words.hpp"
 #include "formats/actuator/magnetic_parts.hpp"
 
 namespace coilwright::formats {
@@ -33,7 +33,7 @@ Link read_link(const Node& node) {
   constexpr double longest = 50.0;           // m
   constexpr double lightest_of_long = 0.01;  // kg/m
   return read_object(node, [&](ObjectReader& in) {
-    const Link link = read_numbers(in, link_numbers);
+    const Link link = read_rows(in, link_rows, Link{});
     for (const auto& [key, length] : {std::pair("length_m", link.length), std::pair("com_along_m", link.com_along),
                                       std::pair("com_offset_m", link.com_offset)})
       if (std::abs(length) > longest ||
@@ -59,22 +59,26 @@ void require_mass_in_kg(const std::vector<Node>& nodes, const std::vector<Link>&
 // Writes the joint's part of `link` too.
 Hinge read_joint(const Node& node, Link& link) {
   return read_object(node, [&link](ObjectReader& in) {
-    Hinge hinge = read_numbers(in, joint_numbers);
-    link = read_numbers(in, rotor_numbers, link);
+    Hinge hinge = read_rows(in, joint_rows, Hinge{});
+    link = read_rows(in, rotor_rows, link);
     if (const auto contact = in.find_not_null("contact"))
-      hinge.contact = read_object(*contact, [](ObjectReader& faces) { return read_numbers(faces, contact_numbers); });
+      hinge.contact = read_object(
+          *contact, [](ObjectReader& faces) { return read_rows(faces, contact_rows, mechanics::FaceContact{}); });
     return hinge;
   });
 }
 
 // The paper's name or ours, in any unit of length.
-double read_length(ObjectReader& in, const GeometryKey& key) {
-  const auto found = in.find_in_any_unit(key.ours);
-  const auto other = in.find_in_any_unit(key.paper);
+double read_length(ObjectReader& in, const RowFacts& length) {
+  const auto found = in.find_in_any_unit(length.key);
+  const auto other = in.find_in_any_unit(length.also);
   if (found && other) throw other->error_without_value("cannot stand beside \"" + found->key() + "\"");
-  const Node node = other ? *other : in.at_in_any_unit(key.ours);
+  const Node node = other ? *other : in.at_in_any_unit(length.key);
   return node.quantity(part_length(node.key()));
 }
+
+constexpr std::array pair_rows = {
+    text::choice_row<&PairDimensions::fidelity>("torque", fidelity_words, "The paper's approximation, or exact")};
 
 // Coil and magnet of Table II with the paper's l_a, l_b and h.
 PairDimensions read_dimensions(ObjectReader& in) {
@@ -82,8 +86,8 @@ PairDimensions read_dimensions(ObjectReader& in) {
   const magnetics::CurrentDistribution winding = read_winding(in);
   pair.coil = read_coil(in.at("coil"), winding);
   pair.magnet = read_magnet(in.at("magnet"), effective_remanence);
-  for (const GeometryKey& key : geometry_keys) pair.geometry.*key.member = read_length(in, key);
-  pair.fidelity = choice_or(in, "torque", pair.fidelity, fidelity_words);
+  for (const auto& length : geometry_rows) length.set(pair.geometry, read_length(in, length));
+  pair = read_rows(in, pair_rows, pair);
   return pair;
 }
 

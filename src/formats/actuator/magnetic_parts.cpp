@@ -7,18 +7,13 @@
 namespace coilwright::formats {
 
 using namespace text;
+using magnetics::CurrentDistribution;
 using magnetics::CylinderMagnet;
 using magnetics::ThickCoil;
 
-namespace {
-
-constexpr Rule turns = Rule::between(1, 10'000);  // layers, or turns in a layer
-
-}  // namespace
-
 CylinderMagnet::Spec read_magnet(const Node& node, const Rule& remanence) {
   return read_object(node, [&remanence](ObjectReader& in) {
-    const auto spec = read_numbers(in, magnet_keys);
+    const auto spec = read_rows(in, magnet_rows, CylinderMagnet::Spec{});
     (void)in.quantity("remanence_T", remanence);
     (void)CylinderMagnet(spec);
     return spec;
@@ -27,7 +22,7 @@ CylinderMagnet::Spec read_magnet(const Node& node, const Rule& remanence) {
 
 ThickCoil::Spec read_coil(const Node& node, CurrentDistribution winding) {
   return read_object(node, [winding](ObjectReader& in) {
-    auto spec = read_numbers(in, coil_keys);
+    auto spec = read_rows(in, coil_rows, ThickCoil::Spec{});
     if (spec.outer_radius <= spec.inner_radius)
       throw in.at("outer_radius_mm")
           .error(fmt::format("must exceed inner_radius_mm ({})", in.number("inner_radius_mm")));
@@ -36,8 +31,6 @@ ThickCoil::Spec read_coil(const Node& node, CurrentDistribution winding) {
       throw in.at("outer_radius_mm")
           .error(fmt::format("must exceed inner_radius_mm ({}) by at least {}", in.number("inner_radius_mm"),
                              part_dimension.lower()));
-    spec.turns_radial = in.integer("turns_radial", turns);
-    spec.turns_axial = in.integer("turns_axial", turns);
     spec.winding = winding;
     (void)ThickCoil(spec);
     return spec;
@@ -45,17 +38,16 @@ ThickCoil::Spec read_coil(const Node& node, CurrentDistribution winding) {
 }
 
 CurrentDistribution read_winding(ObjectReader& in, CurrentDistribution otherwise) {
-  return choice_or(in, "winding", otherwise, winding_words);
+  const auto said = value_of(in, winding_row);
+  return said ? static_cast<CurrentDistribution>(*said) : otherwise;
 }
 
 Json magnet_json(const CylinderMagnet::Spec& magnet) {
-  return numbers_json(magnet, magnet_keys);
+  return rows_json(magnet, magnet_rows);
 }
 
 Json coil_json(const ThickCoil::Spec& coil) {
-  Json out = numbers_json(coil, coil_keys);
-  out.set("turns_radial", coil.turns_radial).set("turns_axial", coil.turns_axial);
-  return out;
+  return rows_json(coil, coil_rows);
 }
 
 }  // namespace coilwright::formats

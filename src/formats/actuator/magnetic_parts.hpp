@@ -1,16 +1,22 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include "coilwright/actuator/design/value_limits.hpp"
 #include "coilwright/magnetics/cylinder_magnet.hpp"
 #include "coilwright/magnetics/thick_coil.hpp"
-#include "coilwright/text/json/object_reader.hpp"
-#include "formats/actuator/part_numbers.hpp"
+#include "coilwright/text/json/rows.hpp"
+#include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
 
-/// The rule of part_length() in mm.
+/// The rule of a part's length in the unit of its key, "gap_mm" or "gap_m".
+[[nodiscard]] inline text::Rule part_length(std::string_view key) {
+  return text::Rule::between(units::from_memory(actuator::shortest_length, key),
+                             units::from_memory(actuator::longest_length, key));
+}
+/// The same in mm.
 inline constexpr text::Rule part_dimension =
     text::Rule::between(1e3 * actuator::shortest_length, 1e3 * actuator::longest_length);
 /// The same of an outer radius, which no inner one can equal.
@@ -29,19 +35,32 @@ inline constexpr text::Rule effective_remanence =
 
 inline constexpr text::Rule recoil_rule = text::Rule::between(1, magnetics::CylinderMagnet::most_recoil_permeability);
 
-inline constexpr std::array magnet_keys = {
-    PartKey<magnetics::CylinderMagnet::Spec>{"radius_mm", part_dimension, &magnetics::CylinderMagnet::Spec::radius},
-    PartKey<magnetics::CylinderMagnet::Spec>{"length_mm", part_dimension, &magnetics::CylinderMagnet::Spec::length},
-    PartKey<magnetics::CylinderMagnet::Spec>{"remanence_T", text::positive,
-                                             &magnetics::CylinderMagnet::Spec::remanence},
-    PartKey<magnetics::CylinderMagnet::Spec>{"recoil_permeability", recoil_rule,
-                                             &magnetics::CylinderMagnet::Spec::recoil_permeability, 1.0},
-};
-inline constexpr std::array coil_keys = {
-    PartKey<magnetics::ThickCoil::Spec>{"inner_radius_mm", part_dimension, &magnetics::ThickCoil::Spec::inner_radius},
-    PartKey<magnetics::ThickCoil::Spec>{"outer_radius_mm", outer_dimension, &magnetics::ThickCoil::Spec::outer_radius},
-    PartKey<magnetics::ThickCoil::Spec>{"length_mm", part_dimension, &magnetics::ThickCoil::Spec::length},
-};
+/// Of layers, or of turns in a layer.
+inline constexpr text::Rule turns_rule = text::Rule::between(1, 10'000);
+
+inline constexpr std::array magnet_rows = [] {
+  using Spec = magnetics::CylinderMagnet::Spec;
+  using enum text::Need;
+  using text::row;
+  return std::array{
+      row<&Spec::radius>("radius_mm", part_dimension, "Of the cylinder", required),
+      row<&Spec::length>("length_mm", part_dimension, "Along the axis", required),
+      row<&Spec::remanence>("remanence_T", effective_remanence, "Of the material", required),
+      row<&Spec::recoil_permeability>("recoil_permeability", recoil_rule, "Relative; NdFeB 1.05"),
+  };
+}();
+inline constexpr std::array coil_rows = [] {
+  using Spec = magnetics::ThickCoil::Spec;
+  using enum text::Need;
+  using text::row;
+  return std::array{
+      row<&Spec::inner_radius>("inner_radius_mm", part_dimension, "Of the winding", required),
+      row<&Spec::outer_radius>("outer_radius_mm", outer_dimension, "Of the winding; beyond the inner one", required),
+      row<&Spec::length>("length_mm", part_dimension, "Along the axis", required),
+      row<&Spec::turns_radial>("turns_radial", turns_rule, "Layers", required),
+      row<&Spec::turns_axial>("turns_axial", turns_rule, "Turns in a layer", required),
+  };
+}();
 
 /// {"radius_mm", "length_mm", "remanence_T", "recoil_permeability" (1 if absent)}, of which a CylinderMagnet can be
 /// made; its remanence keeps the rule: of a material, or of what a fit may find.

@@ -146,7 +146,7 @@ Json to_json(const magnetics::DrivenCoil& driven, const magnetics::CylinderMagne
                                                    .remanence = magnet.remanence(),
                                                    .recoil_permeability = magnet.recoil_permeability()})},
                            {"current_A", driven.current},
-                           {"winding", word_for(winding_words, coil.winding())}});
+                           {"winding", winding_words[static_cast<std::size_t>(coil.winding())]}});
   out.set("poses", Json::list(poses, pose_json));
   return out;
 }

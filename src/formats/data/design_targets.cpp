@@ -61,10 +61,10 @@ class NumberResolver {
   }
 
   DesignNumber of_measured(std::size_t i, const Node& node) const {
-    for (const MeasuredKey& each : measured_keys)
-      if (each.key == node.key())
+    for (const auto& each : measured_rows)
+      if (each.key == node.key() && each.need != text::Need::fixed)
         return {.parameter = calibration_parameter(names_.name(i), each.key, node.quantity(), positive, 1.0),
-                .target = MeasuredNumber{each.member}};
+                .target = MeasuredNumber{each.said}};
     throw names_.leads_nowhere(i);
   }
 

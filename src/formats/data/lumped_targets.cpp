@@ -77,10 +77,10 @@ struct KnownNumber {
 
 // The number of part `index` whose key that is.
 template <class Part, std::size_t Count>
-std::optional<KnownNumber> number_of(const std::array<PartKey<Part>, Count>& keys, std::size_t index,
+std::optional<KnownNumber> number_of(const std::array<text::Row<Part>, Count>& rows, std::size_t index,
                                      const std::string& key) {
-  const auto known = std::ranges::find(keys, key, &PartKey<Part>::key);
-  if (known == keys.end()) return std::nullopt;
+  const auto known = std::ranges::find(rows, key, &text::RowFacts::key);
+  if (known == rows.end() || known->member == nullptr) return std::nullopt;
   return KnownNumber{.number = PartNumber<Part>{index, known->member}, .key = key, .rule = known->rule};
 }
 
@@ -151,11 +151,11 @@ class LumpedNumberResolver {
       return KnownNumber{.number = GravityNumber{}, .key = std::string(gravity_key), .rule = gravity_rule};
     const auto index = steps.size() < 3 ? std::nullopt : array_index(steps[1]);
     if (!index || *index >= model_.links.size()) return std::nullopt;
-    if (steps[0] == "links" && steps.size() == 3) return number_of(link_numbers, *index, steps[2]);
-    if (steps[0] == "joints" && steps.size() == 3) return number_of(joint_numbers, *index, steps[2]);
+    if (steps[0] == "links" && steps.size() == 3) return number_of(link_rows, *index, steps[2]);
+    if (steps[0] == "joints" && steps.size() == 3) return number_of(joint_rows, *index, steps[2]);
     const bool contact = steps[0] == "joints" && steps.size() == 4 && steps[2] == "contact";
     if (!contact || !follow(document_.root(), steps.first(3))) return std::nullopt;
-    return number_of(contact_numbers, *index, steps[3]);
+    return number_of(contact_rows, *index, steps[3]);
   }
 
   // A number that stands in the file: what has no key has no default either.
@@ -168,8 +168,8 @@ class LumpedNumberResolver {
     if (!name) throw names_.cannot_move(i, "this one is a whole number");
     const std::size_t pair = pair_of_joint(*array_index(steps[1]));
     if (steps.size() == 3) return find_length(pair, node->key());
-    if (steps[2] == "coil") return as_positive(number_of(coil_keys, pair, node->key()));
-    if (steps[2] == "magnet") return as_positive(number_of(magnet_keys, pair, node->key()));
+    if (steps[2] == "coil") return as_positive(number_of(coil_rows, pair, node->key()));
+    if (steps[2] == "magnet") return as_positive(number_of(magnet_rows, pair, node->key()));
     const auto column =
         name->unit.dimension == "angle" ? &actuator::TorqueTable::angles : &actuator::TorqueTable::torques;
     return KnownNumber{.number = TableNumber{.pair = pair, .column = column, .row = *array_index(steps[3])},
@@ -179,8 +179,8 @@ class LumpedNumberResolver {
 
   [[nodiscard]] static std::optional<KnownNumber> find_length(std::size_t pair, const std::string& key) {
     using units::quantity_of;
-    for (const GeometryKey& each : geometry_keys)
-      if (quantity_of(key) == quantity_of(each.ours) || quantity_of(key) == quantity_of(each.paper))
+    for (const auto& each : geometry_rows)
+      if (quantity_of(key) == quantity_of(each.key) || quantity_of(key) == quantity_of(each.also))
         return KnownNumber{
             .number = PartNumber<magnetics::HingeGeometry>{pair, each.member}, .key = key, .rule = positive};
     return std::nullopt;

@@ -104,10 +104,12 @@ class HypothesisSearch {
     kinds_ = std::move(applicable.kinds);
     tested_ = kinds_;
     recalibrated_ = &before;
+    begin_table(before);
+    // Known before it is told: who interrupts at the line has it.
+    make_known();
     report(fmt::format("recalibrated: rms residual {:.3g} times the noise", before.whiteness.level));
     const std::optional<FittedHypothesis> on_some = on_subsample_if_far(before);
-    begin_table(on_some ? *on_some : before);
-    make_known();
+    if (on_some) begin_table(*on_some);
     compare();
     std::vector<RuledOut> on_some_only;
     if (on_some && !found_outliers_) on_some_only = back_on_all_windows(before);

@@ -207,6 +207,7 @@ TEST(DiagnosisText, DoesNotDenyWhatIsThereAndNotSeen) {
 
 TEST(DiagnosisText, SaysWithTheVerdictThatItIsUncertain) {
   Diagnosis diagnosis = example();
+  diagnosis.validate_errors.clear();
   const auto text_with = [&](Verdict verdict, double probability_of_noise) {
     diagnosis.verdict = verdict;
     for (identification::WeighedHypothesis& each : diagnosis.odds.hypotheses)
@@ -223,6 +224,30 @@ TEST(DiagnosisText, SaysWithTheVerdictThatItIsUncertain) {
   EXPECT_THAT(text_with(Verdict::unexplained, 0.425),
               HasSubstr("may lack something that none of the known effects explains: what is left over is noise with a "
                         "probability of 0.42.\n"));
+}
+
+TEST(DiagnosisText, SaysWithTheVerdictWhatTheEffectsAreWorthWhereNothingWasFitted) {
+  Diagnosis diagnosis = example();
+  diagnosis.verdict = Verdict::partly_explained;
+  diagnosis.validate_errors = {comparison(data::ChannelKind::bending_angle, 1000, 0.25 * degree)};
+  diagnosis.validate_errors.front().declared.rmse = diagnosis.validate_errors.front().before.rmse = 38.0 * degree;
+  diagnosis.validate_errors.front().after.rmse = 3.9 * degree;
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("On the runs that no fit has seen it takes the error of the angle from 38 "
+                                            "to 3.9 deg (rmse; noise alone: 0.25).\n"));
+  diagnosis.validate_errors.clear();
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("it takes the error")));
+}
+
+TEST(DiagnosisText, MarksEvidenceThatIsALowerBound) {
+  Diagnosis diagnosis = example();
+  diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
+  diagnosis.odds.hypotheses = {weighed({&dry_friction}, 12000.0, 0.75, 0.75), weighed({}, 48000.0, 0.25)};
+  const std::string footnote = "at least: its fit is not shown to be at its best, and its evidence is a lower bound.";
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr(footnote)));
+  diagnosis.odds.hypotheses.back().at_optimum = false;
+  EXPECT_THAT(text_of(diagnosis), AllOf(HasSubstr("less than 0.001  at least\n"), HasSubstr(footnote)));
+  diagnosis.odds.hypotheses.front().at_optimum = false;
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("reported, at least\n"));
 }
 
 // Where there is no answer yet, nothing is reported, and nothing is known of what is missing.

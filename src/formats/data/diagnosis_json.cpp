@@ -165,7 +165,8 @@ Json candidate_json(const identification::WeighedHypothesis& each) {
                        {"chi_square", number_or_null(each.chi_square)},
                        {"lacks_over_noise", number_or_null(each.lacks)},
                        {"lacks_over_samples", number_or_null(each.lacks_over)},
-                       {"probability_of_noise", number_or_null(each.probability_of_noise)}});
+                       {"probability_of_noise", number_or_null(each.probability_of_noise)},
+                       {"at_optimum", each.at_optimum}});
 }
 
 Json ruled_out_json(const identification::RuledOut& each) {

@@ -148,7 +148,8 @@ WeighedHypotheses HypothesisTable::posterior() const {
                                         .lacks = each->weighed.discrepancy.deviation,
                                         .lacks_over = each->weighed.discrepancy.length,
                                         .probability_of_noise = each->weighed.probability_of_noise,
-                                        .probability_of_declared = probability_of_declared_numbers(each->fitted)});
+                                        .probability_of_declared = probability_of_declared_numbers(each->fitted),
+                                        .at_optimum = each->is_at_optimum()});
     out.weighed.push_back(each->weighed);
     out.fits.push_back(&each->fitted);
   }

@@ -130,6 +130,11 @@ std::string not_tested_text(const Diagnosis& diagnosis) {
   return text;
 }
 
+std::string remark_of(const WeighedHypothesis& hypothesis, bool is_reported) {
+  if (hypothesis.at_optimum) return is_reported ? "reported" : "";
+  return is_reported ? "reported, at least" : "at least";
+}
+
 }  // namespace
 
 void add_compared(Section& section, const Diagnosis& diagnosis) {
@@ -138,9 +143,10 @@ void add_compared(Section& section, const Diagnosis& diagnosis) {
   const WeighedHypothesis* reported = formats::reported_hypothesis(diagnosis);
   // Of a diagnosis that was interrupted the values are not counted: by what the recalibrated model leaves of them.
   const double declared = formats::chi_square_without_effects(diagnosis);
+  const bool has_answer = diagnosis.verdict != Verdict::incomplete;
   const auto residual_of = [&](const WeighedHypothesis& each) {
-    return diagnosis.verdict == Verdict::incomplete ? diagnosis.before.level * std::sqrt(each.chi_square / declared)
-                                                    : over_noise(diagnosis, each.chi_square);
+    return !has_answer ? diagnosis.before.level * std::sqrt(each.chi_square / declared)
+                       : over_noise(diagnosis, each.chi_square);
   };
   BarChart chart{.id = "ranking",
                  .title = "The most probable hypotheses",
@@ -152,34 +158,36 @@ void add_compared(Section& section, const Diagnosis& diagnosis) {
                    .align = {left, right, right, right, left},
                    .further_in = 2};
   std::size_t count = 0;
-  bool shows_forms = false;
+  bool shows_forms = false, shows_bounds = false;
   for (const WeighedHypothesis& each : all) {
     if (count >= most_candidates && &each != reported && !each.effects.empty()) continue;
     ++count;
     shows_forms = shows_forms || std::ranges::any_of(each.effects, [&](const actuator::EffectKind* kind) {
                     return has_forms(diagnosis.odds, kind);
                   });
+    shows_bounds = shows_bounds || (has_answer && !each.at_optimum);
     const std::string name = hypothesis(diagnosis.odds, each);
     block.table.rows.push_back({name, probability_text(each.probability), number_text(residual_of(each)),
                                 probability_text(each.probability_of_noise),
-                                &each == reported && diagnosis.verdict != Verdict::incomplete ? "reported" : ""});
+                                has_answer ? remark_of(each, &each == reported) : ""});
     if (std::isfinite(each.probability))
       chart.bars.push_back({.label = name, .value = each.probability, .group = "compared"});
   }
-  const std::string_view given =
-      diagnosis.verdict == Verdict::incomplete ? "among those that were compared so far, by brief fits"
-      : all.front().probability_of_noise < 0.5 ? "to be nearest, among those that were fitted; each lacks something"
-                                               : "given that one of those that were fitted is true";
+  const std::string_view given = !has_answer ? "among those that were compared so far, by brief fits"
+                                 : all.front().probability_of_noise < 0.5
+                                     ? "to be nearest, among those that were fitted; each lacks something"
+                                     : "given that one of those that were fitted is true";
   section.say("  Compared, most probable first\n");
   if (!chart.bars.empty()) section.blocks.emplace_back(std::move(chart));
   section.blocks.emplace_back(std::move(block));
-  section.say(std::string(shows_forms
-                              ? "  (n numbers): the effect with so many of its numbers fitted; the others are as "
+  section.say(
+      std::string(shows_forms ? "  (n numbers): the effect with so many of its numbers fitted; the others are as "
                                 "if absent.\n"
                               : "") +
-              fmt::format("  probability: {}. residual: rms on the fit runs over the noise, 1 is noise alone. leaves "
-                          "noise: the probability that what is lacking is less than a tenth of the noise.\n",
-                          given));
+      (shows_bounds ? "  at least: its fit is not shown to be at its best, and its evidence is a lower bound.\n" : "") +
+      fmt::format("  probability: {}. residual: rms on the fit runs over the noise, 1 is noise alone. leaves "
+                  "noise: the probability that what is lacking is less than a tenth of the noise.\n",
+                  given));
 }
 
 bool has_unseen_effects(const Diagnosis& diagnosis) {

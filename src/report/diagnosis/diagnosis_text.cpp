@@ -64,6 +64,17 @@ std::string noise_words(const Diagnosis& diagnosis) {
                      formats::reported_hypothesis(diagnosis)->probability_of_noise);
 }
 
+// What effects are worth that leave more than noise, where nothing was fitted. That the error rises is said elsewhere.
+std::string worth_sentence(const Diagnosis& diagnosis) {
+  if (diagnosis.validate_errors.empty() || !risen_errors(diagnosis).empty()) return "";
+  const ErrorComparison& errors = *formats::main_first(diagnosis.validate_errors).front();
+  const units::Unit unit = error_unit(errors.kind);
+  const auto in = [&](double value) { return number_text(units::from_si(value, unit)); };
+  return fmt::format(" On the runs that no fit has seen {} the error of the {} from {} to {} (rmse; noise alone: {}).",
+                     diagnosis.effects.size() == 1 ? "it takes" : "they take", formats::name_of(errors.kind),
+                     in(errors.before.rmse), in_unit_text(errors.after.rmse, unit), in(errors.noise_floor_rmse));
+}
+
 std::string verdict_sentence(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
   for (const AddedEffect& each : diagnosis.effects) names.push_back(name_with_rivals(diagnosis, each.kind));
@@ -85,9 +96,11 @@ std::string verdict_sentence(const Diagnosis& diagnosis) {
     case Verdict::partly_explained:
       if (is_undecided(diagnosis))
         return fmt::format("The declared model lacks {}, and perhaps something else: what is left over {}.", effects,
-                           noise);
+                           noise) +
+               worth_sentence(diagnosis);
       return fmt::format("The declared model lacks {}, and something else: structure remains that no effect explains.",
-                         effects);
+                         effects) +
+             worth_sentence(diagnosis);
     case Verdict::incomplete:
       return "INTERRUPTED before there was a conclusion. The declared model was fitted anew, and its effects compared "
              "as far as the list below; nothing is known of runs that no fit has seen. Diagnose again, with --resume, "

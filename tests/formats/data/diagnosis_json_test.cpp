@@ -229,15 +229,17 @@ TEST(DiagnosisJson, DescribesTheNextExperimentTheResidualAndTheNoise) {
 TEST(DiagnosisJson, HasTheHypothesesThatWereComparedAndThoseThatWereNot) {
   Diagnosis diagnosis = example();
   diagnosis.odds.hypotheses = {weighed({&coil_heating, &dry_friction}, 12000.0, 0.75, 0.5), weighed({}, 52000.0, 0.25)};
+  diagnosis.odds.hypotheses.front().at_optimum = false;
   diagnosis.odds.ruled_out = {
       {.effects = {&coil_heating}, .remark = "no coils"},
       {.effects = {&end_stop}, .remark = std::string(measurement::identification::not_tested_remark)}};
   const auto json = json_of(diagnosis);
   EXPECT_EQ(json["candidates"], ordered_json::parse(R"([
       {"effects": ["coil_heating", "dry_friction"], "probability": 0.75, "log_evidence": 20000.0,
-       "chi_square": 12000.0, "lacks_over_noise": 0.0625, "lacks_over_samples": 8.0, "probability_of_noise": 0.5},
+       "chi_square": 12000.0, "lacks_over_noise": 0.0625, "lacks_over_samples": 8.0, "probability_of_noise": 0.5,
+       "at_optimum": false},
       {"effects": [], "probability": 0.25, "log_evidence": 0.0, "chi_square": 52000.0, "lacks_over_noise": 0.0625,
-       "lacks_over_samples": 8.0, "probability_of_noise": 0.0}])"));
+       "lacks_over_samples": 8.0, "probability_of_noise": 0.0, "at_optimum": true}])"));
   EXPECT_EQ(json["ruled_out"][0], ordered_json::parse(R"({"effects": ["coil_heating"], "remark": "no coils"})"));
   EXPECT_EQ(json["ruled_out"][1]["effects"], ordered_json::parse(R"(["end_stop"])"));
   EXPECT_EQ(json["not_tested"], ordered_json::parse(R"(["end_stop"])"));
@@ -269,7 +271,8 @@ TEST(DiagnosisJson, HasNullForWhatAnInterruptedDiagnosisDoesNotKnow) {
   diagnosis.odds.hypotheses = {first};
   const auto json = json_of(diagnosis);
   EXPECT_EQ(json["candidates"], ordered_json::parse(R"([{"effects": [], "probability": null, "log_evidence": 0.0,
-      "chi_square": 52000.0, "lacks_over_noise": null, "lacks_over_samples": null, "probability_of_noise": null}])"));
+      "chi_square": 52000.0, "lacks_over_noise": null, "lacks_over_samples": null, "probability_of_noise": null,
+      "at_optimum": true}])"));
   EXPECT_EQ(json["odds"], ordered_json::parse(R"({"no_effect": null, "effects": {}, "noise": null})"));
 }
 

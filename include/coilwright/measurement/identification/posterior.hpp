@@ -20,6 +20,9 @@ struct WeighedHypothesis {
   double probability_of_noise{};  ///< that it lacks less than a tenth of the noise
   /// Of rigs built to their tolerances, the share whose numbers lie as far from the declared ones as its own do.
   double probability_of_declared{};
+  /// Whether its fit is shown to be at an optimum: the fall of the objective that it still promises decides nothing.
+  /// Otherwise its evidence is a lower bound.
+  bool at_optimum = true;
 };
 
 /// A hypothesis that has no probability, and why.

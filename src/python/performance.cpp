@@ -72,15 +72,16 @@ report::Document document_of(const Performance& performance) {
 
 // What the program says of it beside its numbers. Of a limit that is broken without the numbers, so that a loop over
 // currents is told once and not at each of them.
-void warn_of(const Performance& performance, const Actuator& actuator) {
-  const auto say = [&](std::string_view sentence) { warn(fmt::format("{}: {}", actuator.origin, sentence)); };
+std::vector<std::string> remarks_on(const Performance& performance, const Actuator& actuator) {
+  std::vector<std::string> out;
+  const auto say = [&](std::string_view sentence) { out.push_back(fmt::format("{}: {}", actuator.origin, sentence)); };
   if (const auto* lumped = performance.lumped()) {
     const auto& model = std::get<actuator::Model>(actuator.content.content);
     const std::string text =
         simulation::pressed_joints_text(simulation::pressed_joints(model, lumped->motion.rest_angles),
                                         simulation::pressed_joints(model, lumped->motion.steady_angles));
     if (!text.empty()) say(text);
-    return;
+    return out;
   }
   const simulation::EvaluatedDesign& design = *performance.evaluated();
   for (const simulation::PartLimit& limit : simulation::broken_part_limits(design.view()))
@@ -89,6 +90,7 @@ void warn_of(const Performance& performance, const Actuator& actuator) {
   const std::vector<simulation::CorrectionReach> reach =
       simulation::correction_reach(design.assembly.model, design.performance.cold, design.point.current);
   if (std::ranges::any_of(reach, &simulation::CorrectionReach::is_beyond)) say(report::to_text(reach));
+  return out;
 }
 
 std::vector<simulation::ChoiceEffect> choices_of(const Performance& performance) {
@@ -143,8 +145,7 @@ void bind_performance(py::module_& module) {
                          .supply_voltage = number("supply_voltage")};
     if (in_series) words.wiring = *in_series ? actuator::Wiring::series : actuator::Wiring::parallel;
     Performance performance = evaluate(actuator, words);
-    warn_of(performance, actuator);
-    return performance;
+    return py::make_tuple(performance, remarks_on(performance, actuator));
   });
 }
 

@@ -115,3 +115,26 @@ def test_memory_does_not_grow_in_a_hundred_thousand_calls(finger):
     for i in range(300):
         cw.evaluate(finger, current=1 + i * 1e-3).to_dict()
     assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 4_000  # KB: what malloc keeps
+
+
+def test_many_designs_are_told_by_whatever_columns_are(finger):
+    pandas = pytest.importorskip("pandas")
+    table = {"gap_mm": [0.9, 1.1], "current": [0.5, 0.6]}
+    plain = cw.evaluate_all(finger, table)["mass_g"]
+    assert (cw.evaluate_all(finger, pandas.DataFrame(table))["mass_g"] == plain).all()
+    words = cw.evaluate_all(finger, {"magnet_grade": ["N42", "N52"], "current": 0.5})["steady_angle_deg"]
+    assert words[0] < words[1]
+
+
+def test_a_design_with_a_masked_number_has_no_performance(finger):
+    for gaps in (np.ma.masked_array([0.9, 1.1], [False, True]), [0.9, np.nan], [0.9, None]):
+        found = cw.evaluate_all(finger, {"gap_mm": gaps, "current": 0.5})
+        assert np.isnan(found["mass_g"]).tolist() == [False, True]
+        assert found["failure"] == [None, "gap_mm=nan: must be a finite number"]
+
+
+def test_a_name_that_no_design_has_is_refused_at_once(finger):
+    with pytest.raises(cw.InputError, match='is not a number of a design; did you mean "gap_mm"'):
+        cw.evaluate_all(finger, {"gp_mm": [1.0, 1.1], "current": 0.5})
+    with pytest.raises(TypeError, match="curent: is none of current, duty"):
+        cw.evaluate_all(finger, {"gap_mm": [1.0]}, curent=0.5)

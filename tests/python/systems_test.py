@@ -139,3 +139,52 @@ def test_a_model_predicts_and_scores_records_without_a_fit(finger):
     free["runs"][0]["start"] = "free"
     with pytest.raises(cw.InputError, match="at_rest"):
         cw.predict(finger, cw.Records(free, dict(records._files)))
+
+
+STUDY, DESIGN = "configs/studies/robust_finger.json", "results/reference/robust_finger/actuator.json"
+ASKED = {
+    "linearise": lambda number, whole: cw.linearise(cw.Actuator.prototype(), number(1.25)),
+    "linearise, a current each": lambda number, whole: cw.linearise(cw.Actuator.prototype(), np.array([1.25, number(0.5)])),
+    "reach": lambda number, whole: cw.reach(cw.Actuator.prototype(), number(40), pieces=whole(1)),
+    "drive": lambda number, whole: cw.drive(cw.Actuator.prototype(), mean_current=number(1.25), actuators=whole(2)),
+    "grip": lambda number, whole: cw.grip(cw.Actuator.load(FINGER), width_mm=number(60), mass_g=number(20),
+                                          friction=number(0.75), fingers=whole(3)),
+    "crawl": lambda number, whole: cw.crawl(cw.Actuator.load(FINGER), friction_forwards=number(0.25), friction_backwards=number(0.5),
+                                            periods=whole(2), settling_periods=whole(1)),
+    "yield_of": lambda number, whole: cw.yield_of(cw.Study.load(STUDY), cw.Actuator.load(DESIGN), builds=whole(10), seed=whole(3)),
+    "twin": lambda number, whole: cw.twin(cw.Actuator.prototype(), "configs/experiments/paper.json", seed=whole(3)).dataset,
+    "evaluate": lambda number, whole: cw.evaluate(cw.Actuator.prototype(), current=number(0.5)).to_dict(),
+    "simulate": lambda number, whole: cw.simulate(cw.Actuator.prototype(), step=number(0.5), duration=number(0.125)).rows.tolist(),
+}
+
+
+@pytest.mark.parametrize("name", ASKED)
+def test_numbers_of_numpy_are_numbers_of_every_function(name):
+    plain = ASKED[name](float, int)
+    for number, whole in ((np.float64, np.int64), (np.float32, np.uint8), (np.array, np.array)):
+        assert ASKED[name](number, whole) == plain, number
+
+
+def test_whole_numbers_that_are_none_are_refused_by_their_names():
+    study, design, finger = cw.Study.load(STUDY), cw.Actuator.load(DESIGN), cw.Actuator.prototype()
+    for name, call in {"builds": lambda: cw.yield_of(study, design, builds=3), "worth": lambda: cw.yield_of(study, design, worth=4),
+                       "seed": lambda: cw.twin(finger, "configs/experiments/paper.json", seed=-1),
+                       "threads": lambda: cw.plan("configs/experiments/paper.json", finger, threads=1.5)}.items():
+        with pytest.raises(ValueError, match=name):
+            call()
+    with pytest.raises(ValueError, match="seed: must be a whole number >= 0; got -1"):
+        cw.diagnose("configs", seed=-1)
+
+
+def test_records_under_other_names_are_scored_when_they_are_renamed():
+    finger = cw.Actuator.load(FINGER)
+    time = np.arange(0, 0.2, 0.01)
+    shown = cw.simulate(finger, input={"time_s": time, "current_A": np.full(20, 0.5)}, interval=None)["bending_angle_deg"]
+    foreign = cw.Records.of({"push": {"t_s": time, "I": np.full(20, 0.5), "angle": shown}})
+    with pytest.raises(cw.InputError, match=r"must have the columns time_s and current_A .*, and has t_s, I, angle: make "
+                                            r"records of arrays by those names \(Records.of\)"):
+        cw.score(finger, foreign)
+    names = {"t_s": "time_s", "I": "current_A", "angle": "bending_angle_deg"}
+    table = foreign["push.csv"]
+    renamed = cw.Records.of({"push": {names[column]: table[column] for column in table.columns}})
+    assert cw.score(finger, renamed)["push.csv"]["bending_angle_deg"]["max"] < 1e-6

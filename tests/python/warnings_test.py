@@ -86,3 +86,9 @@ def test_a_limit_that_is_broken_is_told_and_stands_in_the_text(finger):
         [row] = [each for each in given[0].to_dict()["part_limits"] if each["quantity"] == "supply_load"]
         assert row["broken"] == broken and row["value"] == pytest.approx(1)
         assert ("BROKEN: the supply" in given[0].text) == broken
+
+
+def test_many_designs_are_warned_of_once_a_limit_and_at_the_line_of_the_caller():
+    said = told(lambda: cw.evaluate_all(cw.Actuator.prototype(), {"gap_mm": [0.9, 1.0, 1.1], "current": [0.1, 5.0, 5.0]}))
+    alone = told(lambda: cw.evaluate(cw.Actuator.prototype(), current=5.0))
+    assert alone and said == [f"{each} (2 of 3 designs)" for each in alone]

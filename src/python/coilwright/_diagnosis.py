@@ -15,7 +15,7 @@ from coilwright import _core
 from coilwright._actuator import Actuator, Path
 from coilwright._arrays import json_text, plain
 from coilwright._effects import Effect, catalogue
-from coilwright._errors import InputError, core_of, number
+from coilwright._errors import InputError, core_of, number, whole
 from coilwright._results import Answer
 from coilwright._tables import Columns, Table, csv_text
 
@@ -265,7 +265,8 @@ def diagnose(records: Union[Records, Path], actuator: Union[Actuator, Path, None
             declared = pathlib.Path(work) / "actuator.json"
             actuator.save(declared)
         try:
-            core = _core.diagnose(str(folder), None if declared is None else os.fspath(declared), seed, threads,
+            core = _core.diagnose(str(folder), None if declared is None else os.fspath(declared), whole("seed", seed) or 0,
+                                  whole("threads", threads) or 0,
                                   as_written, catalogue(effects), progress)
         except InputError as error:
             raise _without(work, error) from None
@@ -310,7 +311,8 @@ def plan(experiment: Union[Mapping[str, Any], Path], actuator: Actuator, *,
     ...     error.file
     'experiment'
     """
-    return Plan(*_core.plan(_planned(experiment, noise), core_of(actuator, Actuator), list(calibrate), exact, seed, threads))
+    return Plan(*_core.plan(_planned(experiment, noise), core_of(actuator, Actuator), list(calibrate), exact,
+                            whole("seed", seed) or 0, whole("threads", threads) or 0))
 
 
 def twin(actuator: Actuator, experiment: Union[Mapping[str, Any], Path], hidden: Hidden = {}, *,
@@ -327,7 +329,8 @@ def twin(actuator: Actuator, experiment: Union[Mapping[str, Any], Path], hidden:
     """
     words = [f"{id}:{','.join(f'{key}={number(key, value)!r}' for key, value in numbers.items())}".rstrip(":")
              for id, numbers in hidden.items()]
-    return Records(*_core.twin(core_of(actuator, Actuator), _planned(experiment, noise), words, seed, catalogue(effects)))
+    return Records(*_core.twin(core_of(actuator, Actuator), _planned(experiment, noise), words, whole("seed", seed) or 0,
+                               catalogue(effects)))
 
 
 def _planned(experiment: Union[Mapping[str, Any], Path], noise: Mapping[str, float]) -> _core.Planned:

@@ -1,6 +1,7 @@
 """What Coilwright raises beside Python's own exceptions, and arguments of another type than they must have."""
 
 import datetime
+import operator
 from typing import Any, Optional, SupportsIndex
 
 import numpy as np
@@ -74,7 +75,7 @@ def whole(name: str, value: Optional[int]) -> Optional[int]:
     """An argument as a whole number that is not negative, or None. Raises ValueError with its name."""
     if value is not None and (not isinstance(value, SupportsIndex) or value < 0):
         raise ValueError(f"{name}: must be a whole number >= 0; got {value!r}")
-    return value
+    return None if value is None else operator.index(value)
 
 
 def core_of(value: Any, kind: type) -> Any:

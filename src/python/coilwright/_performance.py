@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import warnings
 from typing import Any, Optional
 
 from coilwright import _core
@@ -97,10 +98,18 @@ def evaluate(actuator: Actuator, *, current: Optional[float] = None, duty: Optio
     >>> speeds[0] < speeds[1]
     True
     """
-    numbers = {name: None if value is None else number(name, value) for name, value in dict(
-        current=current, duty=duty, grasp_opening_deg=grasp_opening_deg, grasp_height_mm=grasp_height_mm,
-        supply_resistance=supply_resistance, supply_voltage=supply_voltage).items()}
+    performance, remarks = evaluated(actuator, current=current, duty=duty, grasp_opening_deg=grasp_opening_deg,
+                                     grasp_height_mm=grasp_height_mm, wiring=wiring, supply_resistance=supply_resistance,
+                                     supply_voltage=supply_voltage)
+    for remark in remarks:
+        warnings.warn(remark, stacklevel=2)
+    return performance
+
+
+def evaluated(actuator: Actuator, *, wiring: Optional[str] = None, **asked: Optional[float]) -> tuple[Performance, list[str]]:
+    """The same, with what is to be warned of in place of warnings."""
+    numbers = {name: None if value is None else number(name, value) for name, value in asked.items()}
     if wiring not in (None, "parallel", "series"):
         raise ValueError(f"wiring: must be 'parallel' or 'series'; got {wiring!r}")
-    core = _core.evaluate(core_of(actuator, Actuator), None if wiring is None else wiring == "series", **numbers)
-    return Performance(core, actuator, wiring=wiring, **numbers)
+    core, remarks = _core.evaluate(core_of(actuator, Actuator), None if wiring is None else wiring == "series", **numbers)
+    return Performance(core, actuator, wiring=wiring, **numbers), remarks

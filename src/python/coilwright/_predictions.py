@@ -14,6 +14,7 @@ from coilwright._diagnosis import Records, _file_of
 from coilwright._errors import InputError
 from coilwright._motion import simulate
 
+_USUAL = {"current": "current_A (or current1_A..)", "voltage": "voltage_V", "torque": "torque1_Nm.."}
 Channels = dict[str, NDArray[np.float64]]
 
 
@@ -73,10 +74,12 @@ def _prediction(actuator: Actuator, records: Records, name: str, run: Mapping[st
     drive = run.get("drive", "current")
     driven = [column for column in source.columns if column.startswith(drive)]
     if "time_s" not in table.columns or "time_s" not in source.columns or not driven:
-        raise refused(f"must have the columns time_s and {drive}_.., as the program names them, to be predicted")
+        raise refused(f"must have the columns time_s and {_USUAL[drive]}, as the program names them, to be predicted, and has "
+                      f"{', '.join(table.columns)}: make records of arrays by those names (Records.of)")
     motion = simulate(actuator, input={column: source[column] for column in ("time_s", *driven)})
     channels = [column for column in table.columns if column in motion and column != "time_s" and column not in driven]
     if not channels:
-        raise refused("must have a measured column of a motion, as bending_angle_deg or theta1_deg")
+        raise refused("must have a measured column of a motion, as bending_angle_deg or theta1_deg, and has "
+                      f"{', '.join(table.columns)}: make records of arrays by those names (Records.of)")
     time = np.asarray(table["time_s"], float)
     return {column: read_only(np.interp(time, motion["time_s"], motion[column])) for column in channels}

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, Optional, Union
 
+import numpy as np
+
 from coilwright import _core
 from coilwright._actuator import Actuator
 from coilwright._errors import core_of, number, whole
@@ -22,7 +24,8 @@ def linearise(actuator: Actuator, current: Union[float, Sequence[float]]) -> dic
     >>> len(model["A"]) == len(model["states"])
     True
     """
-    currents = [number("current", each) for each in current] if isinstance(current, Sequence) else [number("current", current)]
+    given: Any = current
+    currents = [number("current", each) for each in (given if np.ndim(given) else [given])]
     answer: dict[str, Any] = _core.linearise(core_of(actuator, Actuator), currents)
     return answer
 
@@ -110,17 +113,19 @@ def yield_of(study: Study, actuator: Actuator, *, current: Optional[float] = Non
     """How many builds of a design keep the limits of a study with a spread: what `coilwright yield --json` prints.
 
     current: A, where the study varies it; otherwise that of the actuator's operating point. builds: 10 and more, by dice of
-    `seed`. worth: builds of each sum by which it is said which scatter matters; 0: it is not said. Ctrl-C ends it.
+    `seed`. worth: builds, 16 and more, of each sum by which it is said which scatter matters; 0: it is not said. Ctrl-C ends it.
 
     >>> import coilwright as cw
     >>> finger = cw.Actuator.load("results/reference/robust_finger/actuator.json")
     >>> cw.yield_of(cw.Study.load("configs/studies/robust_finger.json"), finger, builds=10)["builds"]
     10
     """
+    if builds < 10 or 0 < worth < 16:
+        raise ValueError(f"builds: must be 10 or more, and worth 0, or 16 or more; got {builds} and {worth}")
     of_one = study._of(actuator)
     answer: dict[str, Any] = _core.yield_of(of_one, core_of(actuator, Actuator),
                                             None if current is None else number("current", current),
-                                            max(10, whole("builds", builds) or 0), whole("worth", worth) or 0,
+                                            whole("builds", builds) or 0, whole("worth", worth) or 0,
                                             whole("seed", seed) or 0, whole("threads", threads) or 0)[0]
     return answer
 

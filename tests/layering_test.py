@@ -27,11 +27,12 @@ ROOMS = {
     "measurement": "algebra simulation",
     "video": "text",
     "video/opencv": "video",
+    "video/records": "video measurement",
     "formats/actuator": "text actuator",
     "formats/simulation": "text control",
     "formats/systems": "text systems",
     "formats/data": "formats/actuator formats/simulation measurement systems",
-    "formats/film": "text video",
+    "formats/film": "video/records formats/data",
     "formats/study": "formats/actuator formats/simulation archive formats/systems",
     "exports": "formats/actuator control",
     "report/simulation": "text control",
@@ -53,7 +54,7 @@ ROOMS = {
     "cli/page": "cli/model cli/runs results/page",
     "cli/export": "cli exports",
     "cli/programs": "cli",
-    "python": "results/diagnosis results/page report/systems formats/systems",
+    "python": "results/diagnosis results/page report/systems formats/systems formats/film",
 }
 
 # Folders inside a room, in the order of its method: each includes only those before it, and what lies in the room itself

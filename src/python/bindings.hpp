@@ -36,6 +36,7 @@ void bind_problem(pybind11::module_& module);
 void bind_answers(pybind11::module_& module);
 void bind_diagnosis(pybind11::module_& module);
 void bind_systems(pybind11::module_& module);
+void bind_films(pybind11::module_& module);
 ///@}
 
 }  // namespace coilwright::python

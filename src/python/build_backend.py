@@ -80,7 +80,8 @@ def wheel_of(package: pathlib.Path, wheel_directory) -> str:
     tag = f"{python}-{python}-{re.sub('[-.]', '_', sysconfig.get_platform())}"
     info = f"coilwright-{VERSION}.dist-info"
     module = "_core" + sysconfig.get_config_var("EXT_SUFFIX")
-    files = [file.name for file in sorted(package.iterdir()) if file.suffix in (".py", ".pyi", ".typed")]
+    files = [file.name for file in sorted(package.iterdir())
+             if file.suffix in (".py", ".pyi", ".typed") or file.name == "libcoilwright_opencv.so" and file.exists()]
     contents = {f"coilwright/{name}": (package / name).read_bytes() for name in [module, *files]}
     contents[f"{info}/METADATA"] = METADATA.encode()
     contents[f"{info}/LICENSE"] = (ROOT / "LICENSE").read_bytes()

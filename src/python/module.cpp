@@ -20,4 +20,5 @@ PYBIND11_MODULE(_core, module) {
   bind_answers(module);
   bind_diagnosis(module);
   bind_systems(module);
+  bind_films(module);
 }

@@ -36,7 +36,7 @@ def objects():
             cw.Estimate("torque_Nmm", 0.6, 0.5, 0.7), cw.Number("torque_Nmm", "largest", 0.0, 1.0), cw.Pair.from_dict(PAIR),
             cw.force(cw.Pair.from_dict(PAIR)), cw.field(cw.Pair.from_dict(PAIR), [0, 0, 20]),
             cw.simulate(finger, step=1.0, duration=0.02), cw.evaluate(finger, current=0.5),
-            cw.Plan({"effects": []}, "text"), cw.Progress(1, 2, 3, 4), cw.Quantity("twice_mass_g", twice), records,
+            cw.Plan({"effects": []}, "text"), cw.Tracked(records, {"films": []}, "text", {}), cw.Progress(1, 2, 3, 4), cw.Quantity("twice_mass_g", twice), records,
             cw.search(lambda v: {"f": v["x"]**2}, {"x": (-1.0, 1.0)}, {"f": "minimise"}, max_evaluations=20),
             cw.Study.load(STUDY), cw.size(cw.Study.load(STUDY), max_evaluations=20, answer_only=True),
             cw.pareto(cw.Study.load("configs/studies/speed_against_grip.json"), max_evaluations=30),
@@ -146,7 +146,7 @@ def spoilt(value):
 
 
 def test_no_answer_changes_by_what_is_done_to_a_part_of_it(objects):
-    given = (cw.Plan, cw.Found)  # a caller's own, as any tuple of lists
+    given = (cw.Plan, cw.Found, cw.Tracked)  # a caller's own, as any tuple of lists
     for kind, each in objects.items():
         if kind in given or issubclass(kind, Exception):
             continue

@@ -2,7 +2,11 @@
 
 import json
 import math
+import os
 import re
+import shutil
+import subprocess
+import textwrap
 
 import filming
 from filming import FilmTest, damped_step, ffmpeg
@@ -213,6 +217,84 @@ class Track(FilmTest):
         self.render("step.mp4", {**SMALL, "duration": 0.2}, STEP)
         self.assert_refused(["track", "step.mp4", "--out", "data", "--lens", "lens.json"],
                             "lens.json: must be of pictures of 300 by 420 px, as step.mp4 has; got 640 by 480")
+
+
+class InPython(FilmTest):
+    """`coilwright.track`, of the same films."""
+
+    def python(self, code, package=None):
+        if "PACKAGE" not in os.environ:
+            self.skipTest("this build has no Python package")
+        code = f"import coilwright as cw\nFINGER = {json.dumps(FINGER)}\n{textwrap.dedent(code)}"
+        return subprocess.run([os.environ["PACKAGE_PYTHON"], "-c", code], cwd=self.folder, capture_output=True, text=True,
+                              env={**os.environ, "PYTHONPATH": str(package or os.environ["PACKAGE"])}, check=False)
+
+    def test_it_gives_the_records_of_the_program(self):
+        self.render("step.mp4", {**SMALL, "duration": 0.9}, STEP)
+        self.write("step.csv", LOG)
+        answer = self.track("step.mp4", "--current", "step.csv", "--out", "data", "--start-deg", "5", "--preview")
+        done = self.python("""
+            import json, numpy as np, pathlib
+            of_file = cw.track("step.mp4", "step.csv", start_deg=5, preview=True, name="data")
+            rows = np.loadtxt("step.csv", delimiter=",", skiprows=1)
+            of_arrays = cw.track([pathlib.Path("step.mp4")], [{"time_s": rows[:, 0], "current_A": rows[:, 1]}],
+                                 start_deg=np.array([5.0]), name="data")
+            assert of_arrays.records == of_file.records and of_arrays.previews == {}
+            of_file.records.save("again")
+            for i, png in enumerate(of_file.previews["step"]):
+                assert png == pathlib.Path(f"data/step_{i + 1:02}.png").read_bytes()
+            diagnosis = cw.diagnose(of_file.records, cw.Actuator.from_dict(FINGER))
+            print(json.dumps([of_file.content, of_file.text, diagnosis.verdict]))
+            """)
+        self.assertEqual(done.stderr, "")
+        content, text, verdict = json.loads(done.stdout)
+        self.assertIn("data/step_input.csv", self.files())
+        for name in (name[5:] for name in self.files() if re.fullmatch(r"data/.*\.csv", name)):
+            self.assertEqual(*((self.folder / folder / name).read_bytes() for folder in ("data", "again")))
+        self.assertEqual(self.result("again/dataset.json"), self.result("data/dataset.json"))
+        self.assertEqual(content["films"], answer["films"])
+        # The same sentences, that call what can be said as it is called there.
+        here, there = ([each for key in ("guessed", "to_be_said") for each in said[key]] for said in (content, answer))
+        there = [each for each in there if "--actuator" not in each]
+        self.assertEqual(here, [re.sub(r"--[a-zA-Z-]+", lambda option: option[0][2:].replace("-", "_"), each) for each in there])
+        self.assertTrue(all(each in text for each in here) and "--" not in text)
+        self.assertEqual(verdict, "no_missing_effect")
+
+    def test_what_cannot_be_used_is_refused_in_one_line(self):
+        self.render("film.mp4", {**SMALL, "duration": 0.3}, STEP)
+        self.write("log.csv", LOG)
+        for call, told in {
+                "'none.mp4'": "InputError none.mp4: cannot be opened: No such file or directory",
+                "['film.mp4', 'film.mp4']": "InputError records: a run ",
+                "'film.mp4', ['log.csv', 'log.csv']": "ValueError current: needs one log for each film, 1; got 2",
+                "'film.mp4', opens='left'": "ValueError opens: must be 'clockwise' or 'counterclockwise'; got 'left'",
+                "'film.mp4', exposure_ms=-1": "InputError exposure_ms: must be from 0 to 1000; got -1",
+                "'film.mp4', start_deg=[1, 2]": "InputError start_deg: must have one angle for each tag but the base's, 1; got 2",
+                "'film.mp4', {'time_s': [0, 1], 'current_A': [1, 1]}": "InputError film.mp4: needs a log whose input changes",
+                "'film.mp4', 'log.csv', led=(20, 20)": "InputError film.mp4: must show the LED being lit at the place that led "
+                                                       "names; its light does not change"}.items():
+            done = self.python(f"""
+                try:
+                    cw.track({call})
+                except (ValueError, RuntimeError) as error:
+                    print(type(error).__name__, error)
+                """)
+            self.assertEqual((done.stderr, done.stdout.count("\n")), ("", 1))
+            self.assertTrue(done.stdout.startswith(told), done.stdout)
+
+    def test_without_opencv_all_else_works_and_it_says_what_to_install(self):
+        self.render("film.mp4", {**SMALL, "duration": 0.3}, STEP)
+        if "PACKAGE" in os.environ:
+            shutil.copytree(os.environ["PACKAGE"], self.folder / "bare", ignore=shutil.ignore_patterns("*opencv*", "mypy"))
+        done = self.python("""
+            print(round(cw.evaluate(cw.Actuator.prototype(), current=0.3).mass_g))
+            try:
+                cw.track("film.mp4")
+            except RuntimeError as error:
+                print(error)
+            """, self.folder / "bare")
+        self.assertEqual(done.stderr, "")
+        self.assertRegex(done.stdout, r"\A\d+\nfilms are read with OpenCV, which is not here: install .*\n\Z")
 
 
 class Tags(FilmTest):

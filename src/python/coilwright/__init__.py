@@ -23,6 +23,7 @@ from coilwright._diagnosis import Diagnosis, Estimate, Plan, Records, diagnose, 
 from coilwright._effects import Effect, Number, effects
 from coilwright._errors import InputError, NoPerformance, OutputError
 from coilwright._evaluations import evaluate_all
+from coilwright._films import Tracked, track
 from coilwright._force import Field, Forces, Pair, field, force
 from coilwright._motion import Motion, simulate
 from coilwright._performance import Performance, evaluate
@@ -36,7 +37,7 @@ from coilwright._tables import Table
 __all__ = [
     "Actuator", "Diagnosis", "Effect", "Estimate", "Field", "Forces", "Found", "Front", "InputError", "Motion",
     "NoPerformance", "Number", "OutputError", "Pair", "Performance", "Plan", "Progress", "Quantity", "Records", "Sized",
-    "Study", "Swept", "Table", "__version__", "crawl", "diagnose", "drive", "effects", "evaluate", "evaluate_all",
+    "Study", "Swept", "Table", "Tracked", "__version__", "crawl", "diagnose", "drive", "effects", "evaluate", "evaluate_all",
     "field", "force", "grip", "linearise", "pareto", "plan", "predict", "reach", "report", "score", "search",
-    "simulate", "size", "sweep", "twin", "yield_of",
+    "simulate", "size", "sweep", "track", "twin", "yield_of",
 ]

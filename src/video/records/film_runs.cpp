@@ -1,4 +1,4 @@
-#include "cli/film/film_run.hpp"
+#include "video/records/film_runs.hpp"
 
 #include <fmt/format.h>
 
@@ -10,13 +10,10 @@
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/video/film_clock.hpp"
 
-namespace coilwright::cli {
+namespace coilwright::video {
 namespace {
 
 using namespace measurement::data;
-using video::AngleSample;
-using video::FingerMotion;
-using video::Moment;
 
 double sign_of(OpeningSense opens) {
   return opens == OpeningSense::clockwise ? 1.0 : -1.0;
@@ -105,25 +102,25 @@ void keep(Run& run, std::vector<double>& sigmas, std::size_t first, std::size_t 
   for (Channel& channel : run.channels) cut(channel.values);
 }
 
-void add_still(FilmRuns& out, const FingerMotion& motion, const std::string& name) {
-  std::size_t count = out.motion.times.size();
-  for (const video::TagMotion& tag : motion.tags) {
-    const std::size_t still = video::still_samples(tag.samples);
+void add_still(FilmRecord& out, std::vector<std::string>& guessed) {
+  std::size_t count = out.run.times.size();
+  for (const TagMotion& tag : out.motion.tags) {
+    const std::size_t still = still_samples(tag.samples);
     if (still < tag.samples.size())
       count = std::min<std::size_t>(
-          count, std::ranges::lower_bound(out.motion.times, tag.samples[still].time) - out.motion.times.begin());
+          count, std::ranges::lower_bound(out.run.times, tag.samples[still].time) - out.run.times.begin());
   }
   constexpr std::size_t fewest = 30;
   constexpr std::size_t begun = 3;  // the last pictures may have seen it begin
   count -= std::min(count, begun);
   if (count < fewest) {
-    out.why_no_still =
-        fmt::format("{} pictures before it moves are too few for a still run; {} are enough", count, fewest);
+    guessed.push_back(fmt::format("{}: {} pictures before it moves are too few for a still run; {} are enough",
+                                  out.name, count, fewest));
     return;
   }
-  Run still = out.motion;
+  Run still = out.run;
   std::vector<double> sigmas = out.sigmas;
-  still.name = name + "_still.csv";
+  still.name = out.name + "_still.csv";
   still.kind = RunKind::still;
   keep(still, sigmas, 0, count);
   // Compression holds a picture in which nothing moves, with its errors, from one to the next: that is not the noise of
@@ -132,8 +129,10 @@ void add_still(FilmRuns& out, const FingerMotion& motion, const std::string& nam
   constexpr double shows_noise = 0.4;  // of the stated deviation, which is 1.2 times the scatter
   if (const std::vector<double>& resting = still.channels.front().values;
       repeat_each_other(resting) || scatter_of(resting) < shows_noise * rms(moving)) {
-    out.why_no_still =
-        "compression has smoothed the pictures before it moves: they do not show the noise, and are no still run";
+    guessed.push_back(
+        fmt::format("{}: compression has smoothed the pictures before it moves: they do not show the noise, and are no "
+                    "still run",
+                    out.name));
     return;
   }
   out.still = std::move(still);
@@ -153,39 +152,45 @@ double first_step_of(const simulation::CommandedInput& log, const std::string& f
                           .value = ""});
 }
 
-void take_log(FilmRuns& out, const video::TrackedFilm& film, const FingerMotion& motion,
-              const simulation::CommandedInput& log, const std::optional<video::Place>& led) {
+void take_log(FilmRecord& out, const FilmsRequest& request, const simulation::CommandedInput& log,
+              std::vector<std::string>& guessed) {
+  const TrackedFilm& film = out.film;
+  const FingerMotion& motion = out.motion;
+  const std::optional<Place>& led = request.led;
   const double step = first_step_of(log, film.file);
   std::optional<Moment> begins;
-  if (led) begins = video::led_lit(film, motion, *led);
+  if (led) begins = led_lit(film, motion, *led);
   if (led && !begins)
     throw text::InputError({.file = film.file,
                             .place = "",
-                            .rule = "must show the LED being lit at the place that --led names; its light "
-                                    "does not change",
+                            .rule = fmt::format("must show the LED being lit at the place that {} names; its light "
+                                                "does not change",
+                                                called(request, "led")),
                             .value = ""});
-  for (const video::TagMotion& tag : motion.tags) {
+  for (const TagMotion& tag : motion.tags) {
     if (led) break;
-    const auto onset = video::onset_of(tag.samples, motion.interval);
+    const auto onset = onset_of(tag.samples, motion.interval);
     if (onset && (!begins || onset->sigma < begins->sigma)) begins = onset;
   }
   if (!begins)
     throw text::InputError({.file = film.file,
                             .place = "",
-                            .rule = "must show the finger at rest and then moving, or an LED (--led X,Y): "
-                                    "without, its clock cannot be set by the log",
+                            .rule = fmt::format("must show the finger at rest and then moving, or an LED ({} X,Y): "
+                                                "without, its clock cannot be set by the log",
+                                                called(request, "led")),
                             .value = ""});
-  if (!video::is_known_to_two_pictures(*begins, motion.interval))
+  if (!is_known_to_two_pictures(*begins, motion.interval))
     throw text::InputError(
         {.file = film.file,
          .place = "",
-         .rule = fmt::format("must show to two pictures, {:.2g} s, when {}; pictures there that are noisy, doubled, "
-                             "missing or not read "
-                             "leave it open: film it again with more light and a shorter exposure{}",
-                             2.0 * motion.interval, led ? "the LED is lit" : "the finger begins to move",
-                             led ? "" : ", or with an LED that is lit with the step (--led X,Y)"),
+         .rule = fmt::format(
+             "must show to two pictures, {:.2g} s, when {}; pictures there that are noisy, doubled, "
+             "missing or not read "
+             "leave it open: film it again with more light and a shorter exposure{}",
+             2.0 * motion.interval, led ? "the LED is lit" : "the finger begins to move",
+             led ? "" : fmt::format(", or with an LED that is lit with the step ({} X,Y)", called(request, "led"))),
          .value = fmt::format("{:.2g} s", begins->sigma)});
-  Run& run = out.motion;
+  Run& run = out.run;
   run.drive = log.drive;
   run.input_times = log.times;
   run.inputs = log.rows;
@@ -203,8 +208,8 @@ void take_log(FilmRuns& out, const video::TrackedFilm& film, const FingerMotion&
                                     "where the finger begins to move",
                             .value = std::to_string(std::max<std::ptrdiff_t>(0, last - first))});
   keep(run, out.sigmas, static_cast<std::size_t>(first), static_cast<std::size_t>(last));
-  out.clock = fmt::format("the log's first step, at {:.4g} s, is where {}, to {:.2g} s", step,
-                          led ? "the LED is lit" : "the finger begins to move", begins->sigma);
+  guessed.push_back(fmt::format("{}: the log's first step, at {:.4g} s, is where {}, to {:.2g} s", out.name, step,
+                                led ? "the LED is lit" : "the finger begins to move", begins->sigma));
 }
 
 }  // namespace
@@ -224,30 +229,29 @@ std::vector<double> first_angles(const FingerMotion& motion, OpeningSense opens)
   return out;
 }
 
-FilmRuns film_runs(const std::string& name, const video::TrackedFilm& film, const FingerMotion& motion,
-                   OpeningSense opens, const std::vector<double>& offsets,
-                   const std::optional<simulation::CommandedInput>& log, const std::optional<video::Place>& led) {
-  Table table = table_of(motion, opens);
+void fill_runs(FilmRecord& record, const FilmsRequest& request, OpeningSense opens, const std::vector<double>& offsets,
+               const simulation::CommandedInput* log, std::vector<std::string>& guessed) {
+  Table table = table_of(record.motion, opens);
   constexpr std::size_t fewest = 10;
   if (table.times.size() < fewest)
     throw text::InputError(
-        {.file = film.file,
+        {.file = record.film.file,
          .place = "",
          .rule = fmt::format("must have {} pictures or more in which all of its tags can be read", fewest),
          .value = std::to_string(table.times.size())});
   for (std::size_t k = 0; k < table.angles.size() && k < offsets.size(); ++k)
     for (double& angle : table.angles[k]) angle += offsets[k];
-  FilmRuns out;
-  out.sigmas = std::move(table.sigmas);
-  out.motion.name = name + ".csv";
-  out.motion.kind = RunKind::transient;
-  out.motion.times = std::move(table.times);
-  out.motion.channels = channels_of(table);
-  out.motion.clock.exposure = motion.exposure.value;
-  add_still(out, motion, name);
-  if (log) take_log(out, film, motion, *log, led);
-  out.motion.sigma = rms(out.sigmas);
-  return out;
+  record.sigmas = std::move(table.sigmas);
+  record.run.name = record.name + ".csv";
+  record.run.kind = RunKind::transient;
+  record.run.times = std::move(table.times);
+  record.run.channels = channels_of(table);
+  record.run.clock.exposure = record.motion.exposure.value;
+  std::vector<std::string> of_its_rest;
+  add_still(record, of_its_rest);
+  if (log != nullptr) take_log(record, request, *log, guessed);
+  guessed.insert(guessed.end(), of_its_rest.begin(), of_its_rest.end());
+  record.run.sigma = rms(record.sigmas);
 }
 
-}  // namespace coilwright::cli
+}  // namespace coilwright::video

@@ -188,3 +188,23 @@ def test_records_under_other_names_are_scored_when_they_are_renamed():
     table = foreign["push.csv"]
     renamed = cw.Records.of({"push": {names[column]: table[column] for column in table.columns}})
     assert cw.score(finger, renamed)["push.csv"]["bending_angle_deg"]["max"] < 1e-6
+
+
+def test_what_lies_beyond_an_input_is_not_predicted():
+    finger = cw.Actuator.load(FINGER)
+    time = np.arange(0, 0.5, 0.01)
+    measured = {"time_s": time, "bending_angle_deg": np.full(50, 21.0)}
+
+    def records(samples):
+        made = cw.Records.of({"push": {name: column[:samples] for name, column in measured.items()},
+                              "input": {"time_s": time[:30], "current_A": np.zeros(30)}})
+        run = {"file": "push.csv", "kind": "transient", "role": "fit", "drive": "current", "input_file": "input.csv"}
+        return cw.Records({**made.dataset, "runs": [run]}, {name: made[name].text for name in made})
+
+    with pytest.raises(cw.InputError, match=r"push.csv: must lie within its input, from 0 to 0.3 s, .*it is from 0 to 0.49 s: "
+                                            r"leave out the samples beyond"):
+        cw.predict(finger, records(50))
+    assert cw.predict(finger, records(31))["push.csv"]["bending_angle_deg"].shape == (31,)
+    gone = cw.Records.of({"push": {"time_s": time, "current_A": 0 * time, "bending_angle_deg": np.full(50, np.nan)}})
+    with pytest.raises(cw.InputError, match="push.csv: bending_angle_deg: must have a sample to be scored"):
+        cw.score(finger, gone)

@@ -23,8 +23,8 @@ def predict(actuator: Actuator, records: Records, runs: Optional[Sequence[str]] 
 
     actuator: the declared one, or `diagnosis.actuator`, or any other. runs: file names; without them all motions. Each is
     simulated from rest under its first input, as `simulate` does, without a fitted start, clock or zero: new records then
-    score a model as it is. Raises InputError for a run that is no motion from rest, or whose columns have no names of the
-    program.
+    score a model as it is. Slips of unit are looked for by `diagnose` alone. Raises InputError for a run that is no motion from rest, whose columns have no names of
+    the program, or that goes on where its input has ended.
 
     >>> import coilwright as cw
     >>> finger = cw.Actuator.prototype()
@@ -58,6 +58,9 @@ def score(actuator: Actuator, records: Records, runs: Optional[Sequence[str]] = 
         for channel, values in shown.items():
             off = np.asarray(table[channel], float) - values
             off = off[~np.isnan(off)]
+            if not off.size:
+                raise InputError(f"{run}: {channel}: must have a sample to be scored", run, channel, "must have a sample to be "
+                                 "scored", "")
             out[run][channel] = {"rmse": float(np.sqrt(np.mean(off**2))), "mae": float(np.mean(np.abs(off))),
                                  "max": float(np.max(np.abs(off))), "samples": float(len(off))}
     return out
@@ -82,4 +85,9 @@ def _prediction(actuator: Actuator, records: Records, name: str, run: Mapping[st
         raise refused("must have a measured column of a motion, as bending_angle_deg or theta1_deg, and has "
                       f"{', '.join(table.columns)}: make records of arrays by those names (Records.of)")
     time = np.asarray(table["time_s"], float)
+    given = np.asarray(source["time_s"], float)
+    last = given[-1] + float(np.max(np.diff(given), initial=0.0))  # the last sample is held as long as any
+    if time.size and (time.min() < given[0] or time.max() > last):
+        raise refused(f"must lie within its input, from {given[0]:.6g} to {last:.6g} s, to be predicted; it is from "
+                      f"{time.min():.6g} to {time.max():.6g} s: leave out the samples beyond, or record the input longer")
     return {column: read_only(np.interp(time, motion["time_s"], motion[column])) for column in channels}

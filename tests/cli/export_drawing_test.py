@@ -67,6 +67,44 @@ class Drawing(ProgramTest):
         for a, b in zip(first, second):
             self.assertAlmostEqual(a, b, delta=1e-3)  # the calibrated coil's digits
 
+    def title_block(self):
+        """Label to value, by rows of texts; a label stands with its value on one base line, left of it."""
+        notes = sorted((float(e.get("y")), float(e.get("x")), e.text or "") for e in self.svg.iter(SVG + "text") if e.get("class") == "note")
+        texts = [text for _, _, text in notes[[text for _, _, text in notes].index("Name"):]]
+        return dict(zip(texts[::2], texts[1::2]))
+
+    def test_a_title_block_says_what_a_workshop_asks(self):
+        first = self.title_block()
+        self.assertEqual((first["Name"], first["Material"], first["Lengths"]), ("finger", "Shore 28A", "mm"))
+        self.assertEqual(first["General tolerance"], "+-0.1 moulded, +-0.2 by hand")
+        self.assertIn("Date, signature", first)
+        in_dxf = [e[1] for e in entities_of(self.dxf) if e[0] == "TEXT" and e[8] == "NOTE"]
+        for label, value in first.items():
+            self.assertEqual(label != "Scale", label in in_dxf)
+            self.assertTrue(label == "Scale" or value in ("", *in_dxf))
+        # The same numbers are the same drawing; another number is another one.
+        self.export()
+        self.assertEqual(self.title_block(), first)
+        self.export("--set", "gap_mm=1.1")
+        self.assertNotEqual(self.title_block()["Drawing number"], first["Drawing number"])
+
+    def test_the_title_block_lies_in_the_picture_and_on_nothing(self):
+        for options in ((), ("configuration=D",), ("rear_length_mm=300",), ("configuration=A",)):
+            self.export(*(word for option in options for word in ("--set", option)))
+            _, _, width, height = map(float, self.svg.get("viewBox").split())
+            boxes = []
+            for text in self.svg.iter(SVG + "text"):
+                if text.get("transform") is None and text.text:
+                    size, x, y = (float(text.get(name)) for name in ("font-size", "x", "y"))
+                    long = 0.55 * size * len(text.text)
+                    left = x - {"middle": long / 2, "end": long}.get(text.get("text-anchor"), 0)
+                    boxes.append((left, left + long, y - 0.72 * size, y, text.text))
+            for i, (left, right, top, bottom, text) in enumerate(boxes):
+                self.assertTrue(0 <= left and right <= width and 0 <= top and bottom <= height, (options, text))
+                if text in self.title_block() or text in self.title_block().values():
+                    for other in boxes[:i]:
+                        self.assertFalse(left < other[1] and other[0] < right and top < other[3] and other[2] < bottom, (text, other[4]))
+
     def test_the_dxf_has_the_body_and_its_parts_in_mm(self):
         want, entities = expected(), entities_of(self.dxf)
         body = [e for e in entities if e[0] == "LINE" and e[8] == "BODY"]
@@ -101,7 +139,7 @@ class Drawing(ProgramTest):
         scale = width / inner_width
         self.assertAlmostEqual(scale, height / inner_height, delta=1e-5 * scale)
         self.assertAlmostEqual(scale, 2, delta=1e-4)
-        self.assertTrue(any(f"Scale {scale:.0f}:1" in (e.text or "") for e in self.svg.iter(SVG + "text")))
+        self.assertEqual(self.title_block()["Scale"], f"{scale:.0f}:1")
         self.assertNotIn("Scale", self.dxf)  # that is the size of the part
         body = next(e for e in self.svg.iter(SVG + "rect") if e.get("class") == "body")
         self.assert_close((float(body.get("width")), float(body.get("height"))), (want["length"], want["height"]))
@@ -146,7 +184,7 @@ class Drawing(ProgramTest):
 
     def test_a_large_actuator_is_drawn_smaller(self):
         self.export("--set", "configuration=D", "--set", "rear_length_mm=300")
-        self.assertTrue(any("Scale 1:2" in (e.text or "") for e in self.svg.iter(SVG + "text")))
+        self.assertEqual(self.title_block()["Scale"], "1:2")
         self.assertLessEqual(float(self.svg.get("width")[:-2]), 297 - 20)
 
 

@@ -144,9 +144,23 @@ struct ScaledSketch {
   double scale{};  ///< paper over part
 };
 
-/// The drawing of a body on a sheet of `width` by `height`, m, at the largest scale of ISO 5455 that fits, with letters
-/// of 2.5 mm. The smallest of its scales (1 to 100) where none fits.
-[[nodiscard]] ScaledSketch drawing_on(const BodyPlan& plan, double width, double height);
+/// The drawing of a body with its title block on a sheet of `width` by `height`, m, at the largest scale of ISO 5455
+/// that fits, with letters of 2.5 mm. The smallest of its scales (1 to 100) where none fits.
+[[nodiscard]] ScaledSketch drawing_on(const DesignSubject& subject, const BodyPlan& plan, double width, double height);
+
+/// One field of a title block.
+struct TitleField {
+  std::string_view label;
+  std::string value;  ///< empty: to be filled in by hand
+};
+
+/// The fields of the title block of a design's drawing at a scale, "2:1"; empty where it has the size of the part. Its
+/// number follows from the design's numbers: another number, another drawing. Tolerances are those that a spread takes
+/// as usual.
+[[nodiscard]] std::vector<TitleField> title_block(const DesignSubject& subject, std::string scale);
+
+/// The sketch with a title block below it or, `beside` its lowest views, to the right of these.
+[[nodiscard]] Sketch titled(Sketch sketch, const std::vector<TitleField>& fields, bool beside);
 
 /// "2:1", "1:5".
 [[nodiscard]] std::string scale_text(double scale);

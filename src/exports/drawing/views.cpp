@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "coilwright/exports/kinds.hpp"
 
@@ -128,15 +130,9 @@ const PlacedPart& first_of(const BodyPlan& plan, ComponentKind kind) {
 constexpr std::array scales = {10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01};  // ISO 5455
 constexpr double letter_on_paper = 2.5e-3;
 
-// A4 across, less its margins and a line for the title.
+// A4 across, less its margins.
 constexpr double sheet_width = 277e-3;
-constexpr double sheet_height = 180e-3;
-
-Sketch titled(Sketch sketch, std::string title) {
-  const Point corner = sketch.bounds().low;
-  sketch.text(Layer::note, {corner.x, corner.y - 2.0 * sketch.text_height()}, std::move(title));
-  return sketch;
-}
+constexpr double sheet_height = 185e-3;
 
 }  // namespace
 
@@ -153,16 +149,21 @@ Sketch sketch_of(const BodyPlan& plan, double text_height) {
   return sketch;
 }
 
-ScaledSketch drawing_on(const BodyPlan& plan, double width, double height) {
-  for (const double scale : scales) {
-    ScaledSketch out{.sketch = sketch_of(plan, letter_on_paper / scale), .scale = scale};
-    const Bounds bounds = out.sketch.bounds();
-    const double edges = 2.0 * letter_on_paper;
-    if (scale * (bounds.high.x - bounds.low.x) + edges <= width &&
-        scale * (bounds.high.y - bounds.low.y) + edges <= height)
-      return out;
-  }
-  return {.sketch = sketch_of(plan, letter_on_paper / scales.back()), .scale = scales.back()};
+ScaledSketch drawing_on(const DesignSubject& subject, const BodyPlan& plan, double width, double height) {
+  std::optional<ScaledSketch> smallest;
+  for (const double scale : scales)
+    for (const bool beside : {true, false}) {
+      ScaledSketch out{
+          .sketch = titled(sketch_of(plan, letter_on_paper / scale), title_block(subject, scale_text(scale)), beside),
+          .scale = scale};
+      const Bounds bounds = out.sketch.bounds();
+      const double edges = 2.0 * letter_on_paper;
+      if (scale * (bounds.high.x - bounds.low.x) + edges <= width &&
+          scale * (bounds.high.y - bounds.low.y) + edges <= height)
+        return out;
+      smallest = std::move(out);
+    }
+  return *std::move(smallest);
 }
 
 std::string scale_text(double scale) {
@@ -170,15 +171,15 @@ std::string scale_text(double scale) {
 }
 
 std::vector<ExportedFile> drawing(const DesignSubject& subject, const ExportSettings&) {
-  const ScaledSketch scaled = drawing_on(body_plan(subject), sheet_width, sheet_height);
+  const BodyPlan plan = body_plan(subject);
+  const ScaledSketch scaled = drawing_on(subject, plan, sheet_width, sheet_height);
   const std::string title = subject.origin.name.empty() ? "Actuator" : subject.origin.name;
   const std::string scale = scale_text(scaled.scale);
   const std::string description = fmt::format("Longitudinal section and cross-sections, lengths in mm, scale {}. {}",
                                               scale, subject.origin.made_by);
-  return {{.name = "drawing.svg",
-           .text = svg_of(titled(scaled.sketch, fmt::format("{}. Scale {}, lengths in mm.", title, scale)),
-                          scaled.scale, {title, description})},
-          {.name = "drawing.dxf", .text = dxf_of(titled(scaled.sketch, fmt::format("{}. Lengths in mm.", title)))}};
+  return {{.name = "drawing.svg", .text = svg_of(scaled.sketch, scaled.scale, {title, description})},
+          {.name = "drawing.dxf",
+           .text = dxf_of(titled(sketch_of(plan, scaled.sketch.text_height()), title_block(subject, ""), true))}};
 }
 
 }  // namespace coilwright::exports

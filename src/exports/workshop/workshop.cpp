@@ -13,10 +13,10 @@ namespace {
 
 // What fits on a page of A4 beside its text, m.
 constexpr double figure_width = 180e-3;
-constexpr double figure_height = 180e-3;
+constexpr double figure_height = 185e-3;
 
-std::string figure(const BodyPlan& plan) {
-  const ScaledSketch scaled = drawing_on(plan, figure_width, figure_height);
+std::string figure(const DesignSubject& subject, const BodyPlan& plan) {
+  const ScaledSketch scaled = drawing_on(subject, plan, figure_width, figure_height);
   return fmt::format(
       "<figure>\n{}<figcaption>Scale {}, lengths in mm. Slits in red.</figcaption>\n</figure>\n",
       svg_of(scaled.sketch, scaled.scale,
@@ -46,7 +46,7 @@ std::vector<ExportedFile> workshop(const DesignSubject& subject, const ExportSet
                                        text::escaped(subject.origin.made_by));
   return {{.name = "workshop.html",
            .text = html_page(title, head + winding_section(winding) + bill_section(bill) + recipe_section(silicone) +
-                                        assembly_section(order, figure(cast.plan)))},
+                                        assembly_section(order, figure(subject, cast.plan)))},
           {.name = "winding.csv", .text = winding_csv(winding)},
           {.name = "layers.csv", .text = layers_csv(winding)},
           {.name = "materials.csv", .text = materials_csv(bill)},

@@ -301,7 +301,11 @@ Document document_of(const formats::SizeReport& report) {
     out.sections.push_back(limits_section(report));
     if (evaluated != nullptr) out.sections.push_back(opening_section(evaluated->view()));
     if (report.built) {
-      std::ranges::move(builds_sections(*report.built), std::back_inserter(out.sections));
+      std::vector<Section> builds = builds_sections(*report.built);
+      builds.front().blocks.emplace_back(
+          Lines{"Which scatter decides, and what half of each would bring: coilwright yield STUDY.json actuator.json "
+                "--worth 300\n"});
+      std::ranges::move(builds, std::back_inserter(out.sections));
       if (std::vector<std::string> shortfalls = shortfalls_of(*report.built); !shortfalls.empty()) {
         shortfalls.back() +=
             "The search judged every design by too few builds for this: more of them (\"draws\" of the study's spread) "

@@ -126,6 +126,10 @@ class Spread(ProgramTest):
         current = built["quantities"][1]
         self.assertEqual((built["builds"], current["quantity"], current["asked"]), (2000, "current_A", 0.99))
         self.assertLess(current["keeps"]["high"], 0.99)
+        # Which scatter decides is told by the command that the answer names.
+        self.assertIn("coilwright yield STUDY.json actuator.json --worth 300\n", result.stdout)
+        told = run("yield", "study.json", "out/actuator.json", "--builds", "10", "--worth", "16", cwd=self.folder)
+        self.assertEqual((told.returncode, "If one of them scattered half as far" in told.stdout), (0, True), told.stderr)
         text = run("size", "study.json", "--out", "short", "--max-evaluations", "40", "--answer-only", cwd=self.folder).stdout
         self.assertRegex(text, r"\nNot looked at, as only the answer was asked for \(--answer-only\): .*; what 2000 builds by fresh "
                                r"dice make of this design\.\n")

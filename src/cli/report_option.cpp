@@ -55,10 +55,12 @@ void add_report_file_option(CLI::App& command, std::optional<std::string>& file,
       });
 }
 
-void require_page(const std::optional<std::string>& page, bool force) {
+void require_page(const std::optional<std::string>& page, const std::filesystem::path& folder, bool force) {
   if (!page || page->empty()) return;
-  require_writable({*page});
+  const auto plain = [](const std::filesystem::path& path) { return (path / "").lexically_normal(); };
   std::error_code none;
+  if (std::filesystem::exists(folder, none) || plain(std::filesystem::path(*page).parent_path()) != plain(folder))
+    require_writable({*page});
   if (!force && std::filesystem::exists(*page, none) && !has_mark(*page, page_mark)) throw other_content(*page);
 }
 

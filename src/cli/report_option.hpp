@@ -26,8 +26,9 @@ void add_report_option(CLI::App& command, std::optional<std::string>& page);
 /// --report FILE of a command that writes no folder; likewise. `force`: its --force.
 void add_report_file_option(CLI::App& command, std::optional<std::string>& file, bool& force);
 
-/// Before the work: throws where a page of that name could not be written, or would replace what is no page.
-void require_page(const std::optional<std::string>& page, bool force);
+/// Before the work: throws where a page of that name could not be written, or would replace what is no page. The work
+/// makes `folder`, in which a page may lie.
+void require_page(const std::optional<std::string>& page, const std::filesystem::path& folder, bool force);
 
 /// The page of a folder of results, if one was asked for, written as a whole or not at all; `force` replaces a file of
 /// its name that is no page. Throws std::runtime_error with what coilwright-page says where it does not.

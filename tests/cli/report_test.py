@@ -63,13 +63,14 @@ class Report(ProgramTest):
                               ("page.txt", 'size: --report: must end in .html; got "page.txt" (see coilwright size --help)'),
                               ("no/page.html", "no/page.html: cannot be written: No such file or directory")):
             self.assert_refused(("size", "study.json", "--out", "out", f"--report={name}"), message)  # before the work
+        self.assertEqual((self.folder / "out").exists(), False)
         for place, command in enumerate((("size", "--report", "a.html", "study.json", "--out", "out"),
-                                         ("size", "study.json", "--out", "out", "--report=b.html"),
+                                         ("size", "study.json", "--out", "new", "--report=new/b.html"),
                                          ("size", "--out", "out", "--report", "study.json"))):
             done = run(*command, "--quiet", "--answer-only", "--force", cwd=self.folder)
             self.assertEqual((done.returncode, done.stderr), (0, ""), command)
             self.assertEqual((self.folder / "out/report.html").exists(), place == 2)
-        pages = [(self.folder / name).read_text() for name in ("a.html", "b.html", "out/report.html")]
+        pages = [(self.folder / name).read_text() for name in ("a.html", "new/b.html", "out/report.html")]
         self.assertEqual(len(set(pages)), 1)
         self.assert_refused(("evaluate", "finger.json", "--current-A", "1", "--report"),
                             "evaluate: --report: 1 required FILE.html missing (see coilwright evaluate --help)")

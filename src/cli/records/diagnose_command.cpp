@@ -271,7 +271,7 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
   add_report_option(*command, options->report);
   add_part_options(*command, options->part, "The data set is the K-th of N");
   command->callback([options] {
-    require_page(options->report, options->force);
+    require_page(options->report, options->out, options->force);
     run_diagnose(*options);
     write_report(options->report, options->out, options->force);
   });

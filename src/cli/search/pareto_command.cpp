@@ -101,7 +101,7 @@ void add_pareto_command(CLI::App& app, Outcome& outcome) {
   add_report_option(*command, *report);
   add_part_options(*command, *part, "Search by the K-th of N seeds, the first of which is --seed");
   command->callback([options, part, report, &outcome] {
-    require_page(*report, options->force);
+    require_page(*report, options->out, options->force);
     outcome.code = run_pareto(*options, *part);
     write_report(*report, options->out, options->force);
   });

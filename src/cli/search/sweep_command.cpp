@@ -176,7 +176,7 @@ void add_sweep_command(CLI::App& app, Outcome& outcome) {
   add_report_option(*command, *report);
   add_part_options(*command, options->part, "Evaluate the K-th of N equal shares of the designs");
   command->callback([options, report, &outcome] {
-    require_page(*report, options->study.force);
+    require_page(*report, options->study.out, options->study.force);
     outcome.code = run_sweep(*options);
     write_report(*report, options->study.out, options->study.force);
   });

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "coilwright/measurement/identification/decision_thresholds.hpp"
+#include "coilwright/measurement/require_no_slip.hpp"
 #include "measurement/correction/find_correction.hpp"
 #include "measurement/data/usable_runs.hpp"
 #include "measurement/diagnosis_warnings.hpp"
@@ -34,8 +35,6 @@
 #include "measurement/localise/localisation.hpp"
 #include "measurement/planning/informative_experiment.hpp"
 #include "measurement/records/exchanged_runs.hpp"
-#include "measurement/records/possible_clock.hpp"
-#include "measurement/records/record_slips.hpp"
 #include "measurement/records/suspect_records.hpp"
 #include "measurement/replay/if_possible.hpp"
 #include "measurement/replay/recorded_noise.hpp"
@@ -177,11 +176,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   const fit::Hypothesis as_declared(declared, {});
   const actuator::Model nominal = as_declared.model_at(as_declared.start());
   for (const data::Run& run : data.fit) replay::require_fits_model(run, declared, nominal);
-  if (!options.as_written) {
-    records::require_no_slip(data.fit, declared);
-    FinalErrors::require_no_slip(data.validate, declared);
-    records::require_possible_clocks(data.still);
-  }
+  if (!options.as_written) require_no_slip(data, declared);
   const data::UsableRuns usable = data::usable_runs(data.fit);
   append(out.warnings, usable.warnings);
   std::vector<replay::PreparedRun> runs;

@@ -83,6 +83,13 @@ std::shared_ptr<Diagnosed> diagnose(const std::string& dataset, const std::optio
   });
 }
 
+void require_no_slip(const std::string& dataset) {
+  interruptible([&](const std::stop_token&) {
+    results::require_no_slip(results::read_asked(dataset, std::nullopt, 1));
+    return true;
+  });
+}
+
 // An experiment, and what errors call it.
 struct Planned {
   Experiment experiment;
@@ -158,6 +165,7 @@ void bind_diagnosis(py::module_& module) {
   py::class_<Planned>(module, "Planned").def(py::init(&planned), py::arg("text"), py::arg("origin"), py::arg("noise"));
   module.def("diagnose", &diagnose, py::arg("dataset"), py::arg("actuator"), py::arg("seed"), py::arg("threads"),
              py::arg("as_written"), py::arg("effects"), py::arg("progress"));
+  module.def("require_no_slip", &require_no_slip, py::arg("dataset"));
   module.def("plan", &plan, py::arg("planned"), py::arg("actuator"), py::arg("calibrate"), py::arg("exact"),
              py::arg("seed"), py::arg("threads"));
   module.def("twin", &twin, py::arg("actuator"), py::arg("planned"), py::arg("hidden"), py::arg("seed"),

@@ -141,6 +141,19 @@ def test_a_model_predicts_and_scores_records_without_a_fit(finger):
         cw.predict(finger, cw.Records(free, dict(records._files)))
 
 
+@pytest.mark.parametrize(("column", "factor", "said"), [("time_s", 1 / 86400, "days"), ("time_s", 1e3, "ms"),
+                                                        ("bending_angle_deg", np.pi / 180, "rad"),
+                                                        ("current_A", 1e3, "mA"), ("current_A", -1, "sign")])
+def test_records_in_another_unit_are_not_scored_as_they_are_written(finger, column, factor, said):
+    right = cw.twin(finger, "configs/experiments/paper.json", noise={"angle_deg": 0.2}, seed=4)["step_1.05A.csv"]
+    wrong = cw.Records.of({"push": {name: np.asarray(right[name]) * (factor if name == column else 1)
+                                    for name in right.columns}})
+    with pytest.raises(cw.InputError, match=f"{column}.*{said}.*as_written=True"):
+        cw.score(finger, wrong)
+    if factor != 1e3:  # A motion of minutes, or under kiloamperes, takes minutes.
+        assert cw.score(finger, wrong, as_written=True)
+
+
 STUDY, DESIGN = "configs/studies/robust_finger.json", "results/reference/robust_finger/actuator.json"
 ASKED = {
     "linearise": lambda number, whole: cw.linearise(cw.Actuator.prototype(), number(1.25)),
@@ -207,4 +220,4 @@ def test_what_lies_beyond_an_input_is_not_predicted():
     assert cw.predict(finger, records(31))["push.csv"]["bending_angle_deg"].shape == (31,)
     gone = cw.Records.of({"push": {"time_s": time, "current_A": 0 * time, "bending_angle_deg": np.full(50, np.nan)}})
     with pytest.raises(cw.InputError, match="push.csv: bending_angle_deg: must have a sample to be scored"):
-        cw.score(finger, gone)
+        cw.score(finger, gone, as_written=True)

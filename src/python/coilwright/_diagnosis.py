@@ -276,9 +276,20 @@ def diagnose(records: Union[Records, Path], actuator: Union[Actuator, Path, None
     return diagnosis
 
 
+def require_no_slip(records: Records, actuator: Actuator) -> None:
+    """Refuses records as `diagnose` does that were written in another unit or with another sign than they say."""
+    with tempfile.TemporaryDirectory() as work:
+        records.save(work, actuator)
+        try:
+            _core.require_no_slip(work)
+        except InputError as error:
+            raise _without(work, error) from None
+
+
 def _without(work: str, error: InputError) -> InputError:
-    """The error without the folder that only this module knows."""
-    return InputError(*(str(each).replace(work + "/", "") for each in error.args))
+    """The error without the folder that only this module knows, and with the keyword in place of the option."""
+    return InputError(*(str(each).replace(work + "/", "").replace("--as-written", "as_written=True")
+                        for each in error.args))
 
 
 class Plan(NamedTuple):

@@ -3,28 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, Optional
+from typing import Any, NamedTuple, Optional
 
 import numpy as np
 from numpy.typing import NDArray
 
 from coilwright._actuator import Actuator
 from coilwright._arrays import read_only
-from coilwright._diagnosis import Records, _file_of
+from coilwright._diagnosis import Records, _file_of, require_no_slip
 from coilwright._errors import InputError
 from coilwright._motion import simulate
+from coilwright._tables import Table
 
 _USUAL = {"current": "current_A (or current1_A..)", "voltage": "voltage_V", "torque": "torque1_Nm.."}
 Channels = dict[str, NDArray[np.float64]]
 
 
-def predict(actuator: Actuator, records: Records, runs: Optional[Sequence[str]] = None) -> dict[str, Channels]:
+def predict(actuator: Actuator, records: Records, runs: Optional[Sequence[str]] = None, *,
+            as_written: bool = False) -> dict[str, Channels]:
     """What a model would show in place of records: for each run its measured columns, at its times.
 
     actuator: the declared one, or `diagnosis.actuator`, or any other. runs: file names; without them all motions. Each is
     simulated from rest under its first input, as `simulate` does, without a fitted start, clock or zero: new records then
-    score a model as it is. Slips of unit are looked for by `diagnose` alone. Raises InputError for a run that is no motion from rest, whose columns have no names of
-    the program, or that goes on where its input has ended.
+    score a model as it is. as_written: also where another unit or sign makes far more of a record, which is refused
+    otherwise, as by `diagnose`. Raises InputError for that, for a run that is no motion from rest, whose columns have no
+    names of the program, or that goes on where its input has ended.
 
     >>> import coilwright as cw
     >>> finger = cw.Actuator.prototype()
@@ -38,12 +41,16 @@ def predict(actuator: Actuator, records: Records, runs: Optional[Sequence[str]] 
     unknown = [name for name in names if name not in entries]
     if unknown:
         raise ValueError(f"runs: the records have no {', '.join(unknown)}; they have {', '.join(entries)}")
-    return {name: _prediction(actuator, records, name, entries[name]) for name in names}
+    replays = {name: _replay(records, name, entries[name]) for name in names}
+    if not as_written:
+        require_no_slip(records, actuator)
+    return {name: _prediction(actuator, name, replay) for name, replay in replays.items()}
 
 
-def score(actuator: Actuator, records: Records, runs: Optional[Sequence[str]] = None) -> dict[str, dict[str, dict[str, float]]]:
+def score(actuator: Actuator, records: Records, runs: Optional[Sequence[str]] = None, *,
+          as_written: bool = False) -> dict[str, dict[str, dict[str, float]]]:
     """How far `predict` is off, for each run and measured column: "rmse", "mae", "max" and "samples", in its unit. Absent
-    samples do not count.
+    samples do not count. Arguments and errors are those of `predict`.
 
     >>> import coilwright as cw
     >>> finger = cw.Actuator.prototype()
@@ -52,7 +59,7 @@ def score(actuator: Actuator, records: Records, runs: Optional[Sequence[str]] = 
     0.2
     """
     out: dict[str, dict[str, dict[str, float]]] = {}
-    for run, shown in predict(actuator, records, runs).items():
+    for run, shown in predict(actuator, records, runs, as_written=as_written).items():
         table = records[run]
         out[run] = {}
         for channel, values in shown.items():
@@ -66,28 +73,40 @@ def score(actuator: Actuator, records: Records, runs: Optional[Sequence[str]] = 
     return out
 
 
-def _prediction(actuator: Actuator, records: Records, name: str, run: Mapping[str, Any]) -> Channels:
-    def refused(rule: str) -> InputError:
-        return InputError(f"{name}: {rule}", name, "", rule, "")
+def _refused(name: str, rule: str) -> InputError:
+    return InputError(f"{name}: {rule}", name, "", rule, "")
 
+
+class _Replay(NamedTuple):
+    """A run and its input, which may be in a file of its own."""
+
+    table: Table
+    input: dict[str, NDArray[Any]]
+
+
+def _replay(records: Records, name: str, run: Mapping[str, Any]) -> _Replay:
     if run.get("kind") != "transient" or run.get("start", "at_rest") != "at_rest":
-        raise refused('must be a motion ("transient") that starts "at_rest", to be predicted without a fit')
-    input_name = _file_of(run.get("input_file")) or name
-    table, source = records[name], records[input_name]
+        raise _refused(name, 'must be a motion ("transient") that starts "at_rest", to be predicted without a fit')
+    table, source = records[name], records[_file_of(run.get("input_file")) or name]
     drive = run.get("drive", "current")
     driven = [column for column in source.columns if column.startswith(drive)]
     if "time_s" not in table.columns or "time_s" not in source.columns or not driven:
-        raise refused(f"must have the columns time_s and {_USUAL[drive]}, as the program names them, to be predicted, and has "
-                      f"{', '.join(table.columns)}: make records of arrays by those names (Records.of)")
-    motion = simulate(actuator, input={column: source[column] for column in ("time_s", *driven)})
-    channels = [column for column in table.columns if column in motion and column != "time_s" and column not in driven]
-    if not channels:
-        raise refused("must have a measured column of a motion, as bending_angle_deg or theta1_deg, and has "
-                      f"{', '.join(table.columns)}: make records of arrays by those names (Records.of)")
+        raise _refused(name, f"must have the columns time_s and {_USUAL[drive]}, as the program names them, to be predicted, "
+                       f"and has {', '.join(table.columns)}: make records of arrays by those names (Records.of)")
     time = np.asarray(table["time_s"], float)
     given = np.asarray(source["time_s"], float)
     last = given[-1] + float(np.max(np.diff(given), initial=0.0))  # the last sample is held as long as any
     if time.size and (time.min() < given[0] or time.max() > last):
-        raise refused(f"must lie within its input, from {given[0]:.6g} to {last:.6g} s, to be predicted; it is from "
-                      f"{time.min():.6g} to {time.max():.6g} s: leave out the samples beyond, or record the input longer")
+        raise _refused(name, f"must lie within its input, from {given[0]:.6g} to {last:.6g} s, to be predicted; it is from "
+                       f"{time.min():.6g} to {time.max():.6g} s: leave out the samples beyond, or record the input longer")
+    return _Replay(table, {column: source[column] for column in ("time_s", *driven)})
+
+
+def _prediction(actuator: Actuator, name: str, replay: _Replay) -> Channels:
+    motion = simulate(actuator, input=replay.input)
+    channels = [column for column in replay.table.columns if column in motion and column not in replay.input]
+    if not channels:
+        raise _refused(name, "must have a measured column of a motion, as bending_angle_deg or theta1_deg, and has "
+                       f"{', '.join(replay.table.columns)}: make records of arrays by those names (Records.of)")
+    time = np.asarray(replay.table["time_s"], float)
     return {column: read_only(np.interp(time, motion["time_s"], motion[column])) for column in channels}

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "coilwright/measurement/records/record_slip.hpp"
+#include "coilwright/measurement/require_no_slip.hpp"
 #include "coilwright/text/input_error.hpp"
 
 namespace coilwright::results {
@@ -31,6 +32,25 @@ std::filesystem::path declared_path(const std::optional<std::filesystem::path>& 
   throw text::InputError({.file = set.file, .rule = "names no \"actuator\"; one must be given with --actuator"});
 }
 
+// A set that does not fit its model, or a model that cannot be simulated, counts as bad data.
+template <typename Work>
+auto blaming_files(const AskedDiagnosis& asked, const Work& work) {
+  try {
+    return work();
+  } catch (const measurement::records::RecordSlip& slip) {
+    throw text::InputError(
+        {.file = asked.set.file, .rule = fmt::format("{}; --as-written takes it as it is", slip.what())});
+  } catch (const std::invalid_argument& misfit) {
+    throw text::InputError({.file = asked.set.file, .rule = misfit.what()});
+  } catch (const std::system_error&) {
+    throw;  // of the machine
+  } catch (const std::domain_error& range) {
+    throw text::InputError({.file = asked.declared_file.string(), .rule = range.what()});
+  } catch (const std::runtime_error& lost) {
+    throw text::InputError({.file = asked.declared_file.string(), .rule = lost.what()});
+  }
+}
+
 }  // namespace
 
 AskedDiagnosis read_asked(const std::filesystem::path& dataset, const std::optional<std::filesystem::path>& actuator,
@@ -51,20 +71,11 @@ measurement::Diagnosis diagnose(const AskedDiagnosis& asked, measurement::Diagno
   how.effects = asked.effects;
   how.beliefs = asked.set.beliefs;
   how.seed = asked.provenance.seed.value_or(how.seed);
-  try {
-    return measurement::diagnose(asked.set.data, asked.declared.model, how);
-  } catch (const measurement::records::RecordSlip& slip) {
-    throw text::InputError(
-        {.file = asked.set.file, .rule = fmt::format("{}; --as-written takes it as it is", slip.what())});
-  } catch (const std::invalid_argument& misfit) {
-    throw text::InputError({.file = asked.set.file, .rule = misfit.what()});
-  } catch (const std::system_error&) {
-    throw;  // of the machine
-  } catch (const std::domain_error& range) {
-    throw text::InputError({.file = asked.declared_file.string(), .rule = range.what()});
-  } catch (const std::runtime_error& lost) {
-    throw text::InputError({.file = asked.declared_file.string(), .rule = lost.what()});
-  }
+  return blaming_files(asked, [&] { return measurement::diagnose(asked.set.data, asked.declared.model, how); });
+}
+
+void require_no_slip(const AskedDiagnosis& asked) {
+  blaming_files(asked, [&] { measurement::require_no_slip(asked.set.data, asked.declared.model); });
 }
 
 }  // namespace coilwright::results

@@ -30,4 +30,8 @@ struct AskedDiagnosis {
 /// counts as bad data: throws text::InputError of the file at fault.
 [[nodiscard]] measurement::Diagnosis diagnose(const AskedDiagnosis& asked, measurement::DiagnosisOptions how);
 
+/// Refuses its records, fitted or not, that were written under another convention than they say, as diagnose() does
+/// (measurement::require_no_slip). Throws text::InputError likewise.
+void require_no_slip(const AskedDiagnosis& asked);
+
 }  // namespace coilwright::results

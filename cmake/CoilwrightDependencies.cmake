@@ -7,6 +7,7 @@ endforeach()
 # Of the program and the tests alone.
 find_package(CLI11 2.1 REQUIRED)
 find_package(glog 0.4 REQUIRED)
+find_package(HttpLib 0.11 REQUIRED)
 if(COILWRIGHT_TESTS)
   find_package(GTest 1.12 REQUIRED)
 endif()

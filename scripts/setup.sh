@@ -6,9 +6,10 @@
 set -euo pipefail
 
 packages=(
-  g++ cmake ninja-build git python3
+  g++ cmake ninja-build git pkg-config python3
   libnlopt-dev libeigen3-dev libboost-dev nlohmann-json3-dev libtbb-dev
   libceres-dev libfmt-dev libcli11-dev libcsv-dev libhwy-dev libmuparser-dev libpugixml-dev libsqlitecpp-dev libssl-dev
+  libcpp-httplib-dev
   libgtest-dev libgmock-dev libbenchmark-dev python3-jsonschema
 )
 films=(libopencv-contrib-dev libopencv-videoio-dev libopencv-calib3d-dev)

@@ -53,6 +53,7 @@ ROOMS = {
     "cli/film": "cli/runs formats/data formats/film",
     "cli/page": "cli/model cli/runs results/page",
     "cli/export": "cli exports",
+    "cli/bench": "cli/search cli/model results/page",
     "cli/programs": "cli",
     "python": "results/diagnosis results/page report/systems formats/systems formats/film",
 }
@@ -78,6 +79,7 @@ HIDDEN = {
     "nlohmann/": "text",
     "csv.h": "text",
     "CLI/": "cli",
+    "httplib.h": "cli/bench",
     "pybind11/": "python",
     "glog/": "cli python",
     "openssl/": "results",

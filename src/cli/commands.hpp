@@ -52,6 +52,7 @@ struct Command {
 [[nodiscard]] std::span<const Command> film_commands();
 [[nodiscard]] std::span<const Command> page_commands();
 [[nodiscard]] std::span<const Command> export_commands();
+[[nodiscard]] std::span<const Command> bench_commands();
 ///@}
 
 /// Adds a command of commands.def, without options yet, with its line of the help.

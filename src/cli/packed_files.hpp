@@ -15,4 +15,7 @@ using text::PackedFile;
 /// The files of configs/starts: what `init` writes.
 [[nodiscard]] std::span<const PackedFile> starts();
 
+/// The page of `bench`: bench.html, bench.js and bench.css.
+[[nodiscard]] std::span<const PackedFile> bench_files();
+
 }  // namespace coilwright::cli

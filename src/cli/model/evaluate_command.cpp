@@ -69,15 +69,7 @@ void evaluate(const actuator::Design& design, const formats::ActuatorFile& file,
                  file.name, *options.page, options.force);
     if (!options.json) std::cout << report::to_text(document);
   }
-  if (!options.json) return;
-  text::Json out = formats::to_json(view);
-  out.set("operating_point", formats::to_json(point));
-  out.set("part_limits", formats::to_json(simulation::told_part_limits(view)));
-  out.set("assumptions", formats::to_json(effects));
-  const std::vector<simulation::CorrectionReach> reach =
-      simulation::correction_reach(assembly.model, view.performance.cold, point.current);
-  if (!reach.empty()) out.set("torque_correction", formats::to_json(reach));
-  std::cout << out.text();
+  if (options.json) std::cout << evaluation_json(view, effects).text();
 }
 
 void evaluate(const actuator::Model& model, const formats::ActuatorFile& file, const EvaluateOptions& options,
@@ -101,6 +93,17 @@ void evaluate(const actuator::Model& model, const formats::ActuatorFile& file, c
 }
 
 }  // namespace
+
+text::Json evaluation_json(const simulation::DesignView& view, std::span<const simulation::ChoiceEffect> effects) {
+  text::Json out = formats::to_json(view);
+  out.set("operating_point", formats::to_json(view.point));
+  out.set("part_limits", formats::to_json(simulation::told_part_limits(view)));
+  if (!effects.empty()) out.set("assumptions", formats::to_json(effects));
+  const std::vector<simulation::CorrectionReach> reach =
+      simulation::correction_reach(view.assembly.model, view.performance.cold, view.point.current);
+  if (!reach.empty()) out.set("torque_correction", formats::to_json(reach));
+  return out;
+}
 
 void add_evaluate(CLI::App& app, const Outcome& outcome, const WriteEvaluationPage& write_page) {
   auto options = std::make_shared<EvaluateOptions>();

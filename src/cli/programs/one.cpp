@@ -7,7 +7,7 @@ int main(int argc, char** argv) {
   using namespace coilwright::cli;
   std::vector<Command> commands;
   for (const auto some : {page_commands(), records_commands(), front_commands(), model_commands(), search_commands(),
-                          parts_commands(), film_commands(), export_commands()})
+                          parts_commands(), film_commands(), export_commands(), bench_commands()})
     commands.insert(commands.end(), some.begin(), some.end());
   return program(argc, argv, commands);
 }

@@ -4,6 +4,7 @@
 
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "coilwright/formats/study/study_file.hpp"
@@ -43,30 +44,30 @@ bool is_unchanged(const text::Node& input, std::string& file) {
   return record_of(std::filesystem::path(file)).sha256 == required_member(input, "sha256").text();
 }
 
-// The study that the results of a folder are of, by its provenance.json; or why it is not at hand.
-void find_study(const std::filesystem::path& folder, page::PageInputs& inputs) {
+}  // namespace
+
+StudyBehind study_behind(const std::filesystem::path& folder) {
   const std::filesystem::path provenance = folder / provenance_name;
-  if (!std::filesystem::is_regular_file(provenance)) {
-    inputs.why_no_study = fmt::format("the folder has no {}, which names the study.", provenance_name);
-    return;
-  }
+  if (!std::filesystem::is_regular_file(provenance))
+    return {.why = fmt::format("the folder has no {}, which names the study.", provenance_name)};
   const text::Document document = text::read_json(provenance);
   std::vector<std::string> files;
   for (const text::Node& input : required_member(document.root(), "inputs").elements(text::Length::at_least(1))) {
     if (is_unchanged(input, files.emplace_back())) continue;
-    inputs.why_no_study =
-        fmt::format("{}, which these results are of, is not there as it was; make the page where the search was run.",
-                    files.back());
-    return;
+    return {.why = fmt::format(
+                "{}, which these results are of, is not there as it was; make the page where the search was run.",
+                files.back())};
   }
   std::vector<std::string> changes;
   for (const text::Node& change : required_member(document.root(), "set").elements()) changes.push_back(change.text());
   try {
-    inputs.study = formats::read_study(files.at(0), {.changes = changes});
+    return {.study = formats::read_study(files.at(0), {.changes = changes})};
   } catch (const text::InputError& why) {
-    inputs.why_no_study = fmt::format("the study that {} names cannot be read: {}.", provenance.string(), why.what());
+    return {.why = fmt::format("the study that {} names cannot be read: {}.", provenance.string(), why.what())};
   }
 }
+
+namespace {
 
 // Readers say more than a digest of what they cannot read, but may blame the file beside the one that changed.
 page::Page read_as_written(const std::filesystem::path& folder, const page::PageInputs& inputs,
@@ -98,7 +99,11 @@ page::Page page_of_folder(const std::filesystem::path& folder, std::optional<std
     throw text::InputError({.file = folder.string(), .rule = why});
   page::PageInputs inputs{.made_by = made_by()};
   for (const char* of_designs : {"front.csv", "best.csv"})
-    if (std::filesystem::is_regular_file(folder / of_designs)) find_study(folder, inputs);
+    if (std::filesystem::is_regular_file(folder / of_designs)) {
+      StudyBehind found = study_behind(folder);
+      inputs.study = std::move(found.study);
+      inputs.why_no_study = std::move(found.why);
+    }
   if (pictures) inputs.most_pictures = *pictures;
   page::Page page = read_as_written(folder, inputs, present);
   if (const std::string why = why_unchecked(folder); !why.empty())

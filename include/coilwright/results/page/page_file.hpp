@@ -7,12 +7,23 @@
 #include <string>
 
 #include "coilwright/page/page.hpp"
+#include "coilwright/sizing/study/study.hpp"
 #include "coilwright/text/packed_file.hpp"
 
 namespace coilwright::results {
 
 /// Program and version, as in the first lines of a page.
 [[nodiscard]] std::string made_by();
+
+/// The study that the results of a folder are of.
+struct StudyBehind {
+  std::optional<sizing::Study> study{};  ///< absent: it is not at hand
+  std::string why{};                     ///< reason why it is not, as a sentence
+};
+
+/// Reads the study that the provenance.json of a folder names. It is absent if that file, or a file that it names, is
+/// not there as it was. Throws text::InputError if provenance.json is none.
+[[nodiscard]] StudyBehind study_behind(const std::filesystem::path& folder);
 
 /// The page of a folder of results. A front shows its designs if its provenance.json leads to an unchanged study.
 /// `pictures` is the largest number of designs of a front that are drawn; `present` are the files that lie there under

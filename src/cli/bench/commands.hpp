@@ -1,0 +1,9 @@
+#pragma once
+
+#include "cli/commands.hpp"
+
+namespace coilwright::cli {
+
+void add_bench_command(CLI::App& app, Outcome& outcome);
+
+}  // namespace coilwright::cli

@@ -15,6 +15,7 @@
 #include "cli/model/evaluate_command.hpp"
 #include "coilwright/page/design_figures.hpp"
 #include "coilwright/page/pages.hpp"
+#include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
 #include "coilwright/results/page/page_file.hpp"
 #include "coilwright/simulation/heating.hpp"
@@ -32,7 +33,7 @@ using text::Json;
 
 constexpr std::size_t response_samples = 241;
 constexpr std::size_t heating_samples = 61;
-constexpr int currents = 10;  // on each curve over the current, beside 0 and the operating point
+constexpr int currents = 6;  // on each curve over the current, beside 0 and the operating point
 
 Json in_degrees(double angle) {
   return angle * units::degrees_per_radian;
@@ -101,16 +102,15 @@ Question read_question(const Bench& bench, const std::string& body) {
 Json answer_of(const Bench& bench, const Turned& turned, const NewestFirst::Turn& turn) {
   const EvaluatedDesign design = evaluated(bench, turned);
   turn.require_wanted();
-  const report::Document said = report::document_of(design.view(), {});
-  Json cautions = Json::array();
-  for (const std::string& each : said.cautions) cautions.add(report::to_html(report::Lines{each}));
+  // Not all of the document that evaluate prints: what would open shut joints takes as long as all the rest.
+  const Json cautions = Json::list(report::doubts_of(turned.design),
+                                   [](const std::string& each) { return report::to_html(report::Lines{each}); });
   const std::optional<simulation::StepMotion> motion =
       simulation::step_motion(design, page::shown_duration(design), response_samples);
   turn.require_wanted();
   return Json::object({{"evaluation", evaluation_json(design.view(), {})},
                        {"values", knob_values(turned)},
-                       {"verdict", said.verdict},
-                       {"cautions", std::move(cautions)},
+                       {"cautions", cautions},
                        {"poses", poses_of(design, motion)},
                        {"response", response_of(motion)},
                        {"heating", heating_of(design)}});
@@ -130,7 +130,9 @@ Json curves_of(const Bench& bench, const Turned& turned, const NewestFirst::Turn
       turn.require_wanted();
       simulation::OperatingPoint point = design.point;
       point.current = asked[i];
-      const auto result = simulation::performance_of(design.design, design.assembly, point);
+      const auto result = asked[i] == own
+                              ? std::variant<simulation::Performance, simulation::NoPerformance>(design.performance)
+                              : simulation::performance_of(design.design, design.assembly, point);
       const auto* found = std::get_if<simulation::Performance>(&result);
       if (found != nullptr && found->free.motion) angles[i] = in_degrees(found->free.motion->steady_angles.sum());
       if (found != nullptr && found->gripping.grasp) forces[i] = found->gripping.grasp->grasp_force;

@@ -25,7 +25,7 @@ struct Question {
 [[nodiscard]] text::Json answer_of(const Bench& bench, const Turned& design, const NewestFirst::Turn& turn);
 
 /// Steady angle and grasp force over the current, each what evaluate says at that current; null where it has none. A
-/// design with pressed joints takes a second. Throws Superseded between two currents.
+/// design with pressed joints takes two tenths of a second. Throws Superseded between two currents.
 [[nodiscard]] text::Json curves_of(const Bench& bench, const Turned& design, const NewestFirst::Turn& turn);
 
 /// The page of a design, as evaluate --report writes it.

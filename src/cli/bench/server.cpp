@@ -103,8 +103,7 @@ PageServer::PageServer(std::optional<int> port, std::string token, std::vector<R
     setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   });
   http.set_tcp_nodelay(true);
-  http.set_keep_alive_max_count(1);
-  http.set_keep_alive_timeout(patience);
+  http.set_keep_alive_timeout(1);  // s, which an end waits for as well
   http.set_read_timeout(patience);
   http.set_write_timeout(patience);
   http.set_payload_max_length(longest_body);
@@ -152,10 +151,11 @@ std::string PageServer::address() const {
 void PageServer::run(const std::stop_token& stop) {
   std::atomic<bool> ended = false;
   // Again and again, as a server that is only about to listen does not hear it.
-  const std::stop_callback end(stop, [this, &ended] {
-    for (; !ended; std::this_thread::sleep_for(std::chrono::milliseconds(10))) parts_->http.stop();
+  const std::jthread ender([this, &ended, &stop] {
+    for (; !ended; std::this_thread::sleep_for(std::chrono::milliseconds(20)))
+      if (stop.stop_requested()) parts_->http.stop();
   });
-  if (!stop.stop_requested()) parts_->http.listen_after_bind();
+  parts_->http.listen_after_bind();
   ended = true;
 }
 

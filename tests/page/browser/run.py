@@ -1,4 +1,5 @@
-"""Makes results by the built program, their pages, and opens them in Chromium. Ends with 77, which is shown as skipped,
+"""Makes results by the built program, their pages, and opens them and the bench in Chromium, of which a name behind it gets
+the picture in docs/figures. Ends with 77, which is shown as skipped,
 without Node, npm and Chromium, or where the program or the test lacks what npm installs."""
 
 import csv
@@ -111,6 +112,8 @@ def main():
                              ("three_test.mjs", "three"), ("many_test.mjs", "many"), ("diagnosis_test.mjs", "diagnose")):
             subprocess.run([node, FOLDER / script, folder / page / "report.html", PROGRAM], env=environment, check=True,
                            timeout=300)
+        subprocess.run([node, FOLDER / "bench_test.mjs", PROGRAM, finger, folder / "pareto", *sys.argv[1:2]], env=environment,
+                       check=True, timeout=300)
         for page in ("sweep/report.html", "evaluate.html", "validate.html"):
             subprocess.run([node, FOLDER / "plain_test.mjs", folder / page], env=environment, check=True, timeout=300)
 

@@ -184,6 +184,13 @@ class BenchTest(ProgramTest):
                 self.assertEqual(headers["Referrer-Policy"], "no-referrer")
                 self.assertNotIn("https://", text)
 
+    def test_sends_its_answers_as_they_are(self):
+        with Server(FINGER) as server:
+            status, headers, text = server.ask("api/evaluate", {"page": "one", "changes": []}, headers={"Accept-Encoding": "gzip, deflate, br"})
+            self.assertEqual(status, 200)
+            self.assertNotIn("Content-Encoding", headers)  # brotli takes 50 ms for them
+            json.loads(text)
+
     def test_answers_the_newest_of_many_questions_of_a_page(self):
         with Server(FINGER) as server:
             def ask(number):
@@ -244,6 +251,14 @@ class BenchTest(ProgramTest):
             with Server(FINGER, "--token-file", self.folder / "token", "--port", first.port) as again:
                 self.assertEqual(again.address, first.address)
                 self.assertEqual(again.end(), (0, ""))
+
+    def test_tells_a_program_its_address(self):
+        process = subprocess.Popen([PROGRAM, "bench", FINGER, "--no-browser", "--json"], stdout=subprocess.PIPE, encoding="utf-8")
+        said = "".join(process.stdout.readline() for _ in range(3))
+        self.assertRegex(json.loads(said)["address"], "^http://127.0.0.1:[0-9]+/[0-9a-f]{32}/$")
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 0)
 
     def test_leaves_no_file_and_takes_no_port_that_is_taken(self):
         before = sorted(os.listdir(self.folder))

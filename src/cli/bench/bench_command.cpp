@@ -41,6 +41,7 @@ struct BenchOptions {
   std::optional<int> port{};
   std::optional<std::string> token_file{};
   bool no_browser{false};
+  bool json{false};
 };
 
 constexpr std::size_t token_length = 32;
@@ -174,8 +175,11 @@ void run_bench(const BenchOptions& options) {
   PageServer server(options.port, options.token_file ? kept_token(*options.token_file) : new_token(),
                     routes(bench, newest, work));
   const Interruption interruption;
-  std::cout << fmt::format("The bench of {} is at\n  {}\nCtrl-C ends it.\n", options.named, server.address())
-            << std::flush;
+  if (options.json)
+    std::cout << Json::object({{"address", server.address()}}).text() << std::flush;
+  else
+    std::cout << fmt::format("The bench of {} is at\n  {}\nCtrl-C ends it.\n", options.named, server.address())
+              << std::flush;
   if (!options.no_browser) open_browser(server.address());
   server.run(interruption.token());
 }
@@ -200,6 +204,7 @@ void add_bench_command(CLI::App& app, Outcome&) {
                    "finds its server again after an end and a new start")
       ->check(not_empty());
   add_flag(*command, "--no-browser", options->no_browser, "Only print the address");
+  add_json_option(*command, options->json, "a text");
   command->footer(
       "Opens a page in the browser where every number of a design is a slider: beside it what the design then does,\n"
       "to the digit of evaluate, its limits, and one click for a search, for what limits it and for how many builds\n"

@@ -13,7 +13,8 @@ namespace coilwright::cli {
 /// What a request gets.
 struct Reply {
   int status = 200;  ///< of HTTP
-  std::string type = "application/json";
+  /// With its charset: the library presses what is of the bare type, which takes ten times as long as the answer.
+  std::string type = "application/json; charset=utf-8";
   std::string text{};
 };
 

@@ -330,8 +330,10 @@
   };
 
   // Lines over one axis: {x, y, log, lines: [{name, of, x, y}], levels: [{name, value}], here: [x, y]}.
+  const widths = new Map();  // of elements, which are laid out anew when one is asked
   const plot = (element, chart) => {
-    const width = Math.max(280, element.clientWidth || 400), height = 210, [left, right, top, bottom] = [52, 12, 8, 38];
+    if (!widths.has(element)) widths.set(element, Math.max(280, element.clientWidth || 400));
+    const width = widths.get(element), height = 210, [left, right, top, bottom] = [52, 12, 8, 38];
     const lines = chart.lines.filter((each) => each.x).map((each) => ({...each, points: each.x.map((x, i) => [x, each.y[i]]).filter(([x, y]) => y !== null && (!chart.log || x > 0))}));
     const all = lines.flatMap((each) => each.points);
     if (!all.length) { element.innerHTML = `<p class="soft">${escape(chart.nothing)}</p>`; return; }
@@ -424,7 +426,7 @@
     let out = order.map(line).join('');
     names.forEach((name, i) => {
       const brush = designs.brushes[name];
-      out += `<path class="axis" d="M${X(i)} 30V${height - 34}"/><text x="${X(i)}" y="${i % 2 ? 10 : 22}" text-anchor="middle" font-size="9">${escape(name)}</text>
+      out += `<path class="axis" d="M${X(i)} 30V${height - 34}"/><text x="${X(i)}" y="${i % 2 ? 10 : 22}" text-anchor="${i === 0 ? 'start' : i === names.length - 1 ? 'end' : 'middle'}" dx="${i === 0 ? -30 : i === names.length - 1 ? 30 : 0}">${escape(name)}</text>
         <text x="${X(i)}" y="${height - 20}" text-anchor="middle">${short(ends[name][0])}</text><text x="${X(i) + 4}" y="38">${short(ends[name][1])}</text>`;
       if (brush) out += `<rect class="brush" x="${X(i) - 7}" width="14" y="${Y(name, brush[1])}" height="${Y(name, brush[0]) - Y(name, brush[1])}"/>`;
       out += `<rect class="grip" data-axis="${escape(name)}" x="${X(i) - 14}" y="24" width="28" height="${height - 52}"/>`;
@@ -589,7 +591,7 @@
     at('get-study').addEventListener('click', () => save('api/study', 'study.json', 'application/json'));
     at('get-report').addEventListener('click', () => save('api/report', 'report.html', 'text/html'));
     let width = innerWidth;
-    addEventListener('resize', () => { if (innerWidth !== width) { width = innerWidth; draw(); if (curves) drawCurves(); if (about.further.designs) { drawScatter(); drawParallel(); } } });
+    addEventListener('resize', () => { if (innerWidth !== width) { width = innerWidth; widths.clear(); draw(); if (curves) drawCurves(); if (about.further.designs) { drawScatter(); drawParallel(); } } });
   };
 
   const bench = {milliseconds: [], curveMilliseconds: [], set, load, answer: null};

@@ -154,7 +154,7 @@ Table table_of(const Chart& chart) {
 // How full the bars of so many groups are, the first ones most.
 Json fillings(std::size_t groups) {
   constexpr double full = 1.0;
-  constexpr double faint = 0.3;
+  constexpr double faint = 0.45;
   Json out = Json::array();
   for (std::size_t i = 0; i < groups; ++i)
     out.add(groups < 2 ? full : full - (full - faint) * static_cast<double>(i) / static_cast<double>(groups - 1));

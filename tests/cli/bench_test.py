@@ -295,6 +295,12 @@ class BenchTest(ProgramTest):
             shown = server.json("api/evaluate", {"page": "one", "changes": changes})["evaluation"]
             for quantity in ("peak_bending_speed_deg_s", "grasp_force_N", "mass_g", "thermal_load"):
                 self.assertEqual(shown[quantity], rows[quantity][0])
+        # As every command that reads such a folder (damaged_folders_test.py).
+        front = self.folder / "front" / "front.csv"
+        front.write_text(front.read_text().replace("1", "2"))
+        done = run("bench", self.folder / "front", "--no-browser")
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, r"^coilwright: \S*front\.csv: is not there, or not as the run of this folder wrote it[^\n]*\n$")
 
 
 if __name__ == "__main__":

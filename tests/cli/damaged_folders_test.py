@@ -31,11 +31,12 @@ CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 
 
 def examples(folder):
-    """The examples of all manual pages, as words."""
+    """The examples of all manual pages, as words; without the bench, which ends when it is told to (bench_test.py)."""
     assert run("man", "--out", folder / "man1").returncode == 0
     pages = sorted((folder / "man1").iterdir())
     lines = [line.replace("\\-", "-").strip() for page in pages for line in page.read_text().splitlines()]
-    return [shlex.split(line)[1:] for line in lines if re.match(r"coilwright [a-z]+ .*results/", line)]
+    words = [shlex.split(line)[1:] for line in lines if re.match(r"coilwright [a-z]+ .*results/", line)]
+    return [each for each in words if each[0] != "bench"]
 
 
 def inputs_of(example):

@@ -101,6 +101,7 @@ void open_folder(Bench& bench, const std::filesystem::path& folder) {
     throw text::InputError({.file = folder.string(),
                             .rule = "must be an actuator's file, or a folder that size, pareto, sweep or diagnose "
                                     "has written"});
+  results::require_as_written(folder, {});
   const results::StudyBehind study =
       has(folder, results::provenance_name) ? results::study_behind(folder) : results::StudyBehind{};
   if (study.study) bench.further.set("study", study_json(*study.study));

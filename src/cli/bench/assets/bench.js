@@ -289,9 +289,9 @@
       const full = Math.max(0, Math.min(1.25, 1 - each.margin)) * 80;
       const why = each.broken ? `<p class="why${each.conditional ? ' mild' : ''}">${escape(each.consequence
         ? `${each.conditional ? 'MIND: ' : 'Beyond it '}${each.consequence}.` : `The limit that you set is not kept: ${each.quantity} is ${short(each.value)}.`)}</p>` : '';
-      return `<div class="limit${each.broken && !each.conditional ? ' broken' : ''}" title="${escape(meaning(each.quantity))}"><span class="name">${escape(each.quantity.replace(/_/g, '_\u200b'))}
+      return `<div class="limit${each.broken ? each.conditional ? ' doubtful' : ' broken' : ''}" title="${escape(meaning(each.quantity))}"><span class="name">${escape(each.quantity.replace(/_/g, '_\u200b'))}
         ${short(each.value)} ${each.most ? '≤' : '≥'} ${short(each.limit)}</span><svg viewBox="0 0 100 10" preserveAspectRatio="none" aria-hidden="true"><rect class="fill" width="${full}" height="10"/><path class="edge" d="M80 0V10"/></svg>
-        <span class="margin">${each.broken ? 'broken' : `${(100 * each.margin).toFixed(0)} % left`}</span>${each.index === undefined ? '' : `<button data-limit="${each.index}" aria-label="remove the limit of ${escape(each.quantity)}">×</button>`}${why}</div>`;
+        <span class="margin">${each.broken ? each.conditional ? 'MIND' : 'broken' : `${(100 * each.margin).toFixed(0)} % left`}</span>${each.index === undefined ? '' : `<button data-limit="${each.index}" aria-label="remove the limit of ${escape(each.quantity)}">×</button>`}${why}</div>`;
     }).join('');
   };
   const drawNumbers = () => {

@@ -189,6 +189,16 @@ def test_whole_numbers_that_are_none_are_refused_by_their_names():
         cw.diagnose("configs", seed=-1)
 
 
+def test_what_is_no_model_no_records_and_no_list_is_refused_by_its_name(finger):
+    records = cw.twin(finger, "configs/experiments/paper.json", seed=4)
+    for name, call in {"actuator": lambda: cw.score("finger", records), "records": lambda: cw.score(finger, "records"),
+                       "runs": lambda: cw.predict(finger, records, "step_1.05A.csv")}.items():
+        with pytest.raises(TypeError, match=f"^{name}: must be"):
+            call()
+    with pytest.raises(ValueError, match="^builds: must be a whole number"):
+        cw.yield_of(cw.Study.load(STUDY), cw.Actuator.load(DESIGN), builds="many")
+
+
 def test_records_under_other_names_are_scored_when_they_are_renamed():
     finger = cw.Actuator.load(FINGER)
     time = np.arange(0, 0.2, 0.01)

@@ -234,6 +234,9 @@ TEST(DiagnosisText, SaysWithTheVerdictWhatTheEffectsAreWorthWhereNothingWasFitte
   diagnosis.validate_errors.front().after.rmse = 3.9 * degree;
   EXPECT_THAT(text_of(diagnosis), HasSubstr("On the runs that no fit has seen it takes the error of the angle from 38 "
                                             "to 3.9 deg (rmse; noise alone: 0.25).\n"));
+  // Of noise that is not known nothing is said.
+  diagnosis.validate_errors.front().noise_floor_rmse = 0.0;
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("from 38 to 3.9 deg (rmse).\n"));
   diagnosis.validate_errors.clear();
   EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("it takes the error")));
 }

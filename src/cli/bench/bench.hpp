@@ -18,7 +18,7 @@ namespace coilwright::cli {
 struct Bench {
   std::string shown;                          ///< as it was named
   formats::ActuatorFile file{};               ///< a design, with the operating point to start from
-  text::Json further = text::Json::object();  ///< for the page: "study", "designs", "diagnosis"
+  text::Json further = text::Json::object();  ///< for the page: "study", "designs"
 };
 
 /// Reads an actuator's file, or the folder of a size, pareto, sweep or diagnose. Throws InputError, also for a lumped

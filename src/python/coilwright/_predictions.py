@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from coilwright._actuator import Actuator
 from coilwright._arrays import read_only
 from coilwright._diagnosis import Records, _file_of, require_no_slip
-from coilwright._errors import InputError
+from coilwright._errors import InputError, core_of
 from coilwright._motion import simulate
 from coilwright._tables import Table
 
@@ -36,6 +36,11 @@ def predict(actuator: Actuator, records: Records, runs: Optional[Sequence[str]] 
     >>> list(shown["step_0.70A.csv"])
     ['bending_angle_deg']
     """
+    core_of(actuator, Actuator)
+    if not isinstance(records, Records):
+        raise TypeError(f"records: must be coilwright.Records, as Records.load gives; got {records!r}")
+    if isinstance(runs, str):
+        raise TypeError(f"runs: must be a list of file names, [{runs!r}]; got {runs!r}")
     entries: dict[str, Mapping[str, Any]] = {run["file"]: run for run in records.dataset["runs"]}
     names = [name for name, run in entries.items() if run.get("kind") == "transient"] if runs is None else list(runs)
     unknown = [name for name in names if name not in entries]

@@ -120,12 +120,13 @@ def yield_of(study: Study, actuator: Actuator, *, current: Optional[float] = Non
     >>> cw.yield_of(cw.Study.load("configs/studies/robust_finger.json"), finger, builds=10)["builds"]
     10
     """
-    if builds < 10 or 0 < worth < 16:
+    made, summed = whole("builds", builds) or 0, whole("worth", worth) or 0
+    if made < 10 or 0 < summed < 16:
         raise ValueError(f"builds: must be 10 or more, and worth 0, or 16 or more; got {builds} and {worth}")
     of_one = study._of(actuator)
     answer: dict[str, Any] = _core.yield_of(of_one, core_of(actuator, Actuator),
                                             None if current is None else number("current", current),
-                                            whole("builds", builds) or 0, whole("worth", worth) or 0,
+                                            made, summed,
                                             whole("seed", seed) or 0, whole("threads", threads) or 0)[0]
     return answer
 

@@ -70,9 +70,11 @@ std::string worth_sentence(const Diagnosis& diagnosis) {
   const ErrorComparison& errors = *formats::main_first(diagnosis.validate_errors).front();
   const units::Unit unit = error_unit(errors.kind);
   const auto in = [&](double value) { return number_text(units::from_si(value, unit)); };
-  return fmt::format(" On the runs that no fit has seen {} the error of the {} from {} to {} (rmse; noise alone: {}).",
+  const double noise = errors.noise_floor_rmse;
+  return fmt::format(" On the runs that no fit has seen {} the error of the {} from {} to {} (rmse{}).",
                      diagnosis.effects.size() == 1 ? "it takes" : "they take", formats::name_of(errors.kind),
-                     in(errors.before.rmse), in_unit_text(errors.after.rmse, unit), in(errors.noise_floor_rmse));
+                     in(errors.before.rmse), in_unit_text(errors.after.rmse, unit),
+                     noise > 0.0 ? "; noise alone: " + in(noise) : "");
 }
 
 std::string verdict_sentence(const Diagnosis& diagnosis) {

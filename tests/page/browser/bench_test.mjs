@@ -67,6 +67,10 @@ try {
   changes.push(`current_A=${current}`);
   await shown(page, changes);
   assert.deepEqual((await numbers(page)).evaluation, evaluated(changes));
+  // What only may break a limit is told apart from what does.
+  const doubted = (await numbers(page)).evaluation.part_limits.filter((each) => each.broken && each.conditional);
+  assert.ok(doubted.length > 0);
+  assert.deepEqual(await page.locator('.limit.doubtful .margin').allTextContents(), doubted.map(() => 'MIND'));
   const table = await page.locator('[data-quantity="mass_g"]').textContent();
   assert.equal(Number(table), Number((await numbers(page)).evaluation.mass_g.toPrecision(5)));
   for (const change of changes) assert.equal(await page.locator('.knob.changed', {has: page.locator(`[id="knob-${change.split('=')[0]}"]`)}).count(), 1, change);

@@ -17,13 +17,15 @@ struct Discrepancy {
 
 /// One channel of one window: samples that share a discrepancy.
 struct Series {
-  Eigen::Index first{};           ///< row of its first sample in the block of the window
-  std::vector<double> steps{};    ///< from each sample to the next, in median sampling intervals: one less than samples
+  Eigen::Index first{};   ///< row of its first sample in the block of the window
+  double interval = 1.0;  ///< between its samples, the median, in sampling intervals of the fastest run
+  /// From each sample to the next, in sampling intervals of the fastest run: one less than samples.
+  std::vector<double> steps{};
   std::vector<char> set_aside{};  ///< for each sample whether it counts as not measured
   /// Degrees of freedom of the noise's variance; infinite where it is known.
   double freedom{};
-  /// Whether that variance is known, but not how the noise is coloured.
-  bool may_be_coloured{};
+  /// How long noise may be correlated that has that variance, beyond what its record tells; 0: it is white.
+  double longest_colour{};
   [[nodiscard]] Eigen::Index samples() const { return static_cast<Eigen::Index>(set_aside.size()); }
 };
 

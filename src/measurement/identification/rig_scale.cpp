@@ -38,14 +38,6 @@ void add_inputs(const replay::Window& window, const actuator::Model& nominal, Su
   }
 }
 
-// Of the joint that swings fastest, s; infinite where none has a spring.
-double shortest_period(const actuator::Model& nominal) {
-  const JointVector mobility = nominal.chain().joint_mobility();
-  double largest = 0.0;
-  for (int j = 0; j < nominal.joints(); ++j) largest = std::max(largest, nominal.hinges()[j].stiffness * mobility[j]);
-  return 2.0 * std::numbers::pi / std::sqrt(largest);
-}
-
 void add_angles(const replay::PreparedRun& prepared, std::size_t place, const actuator::Model& nominal, Sums& sums) {
   const data::Run& run = *prepared.run;
   const data::Channel& channel = run.channels[place];
@@ -73,6 +65,13 @@ double root_mean(double sum, double count, double fallback) {
 }
 
 }  // namespace
+
+double shortest_period(const actuator::Model& nominal) {
+  const JointVector mobility = nominal.chain().joint_mobility();
+  double largest = 0.0;
+  for (int j = 0; j < nominal.joints(); ++j) largest = std::max(largest, nominal.hinges()[j].stiffness * mobility[j]);
+  return 2.0 * std::numbers::pi / std::sqrt(largest);
+}
 
 RigScale rig_scale(std::span<const replay::PreparedRun> runs, const actuator::Model& nominal) {
   Sums sums;

@@ -11,4 +11,7 @@ namespace coilwright::measurement::identification {
 /// Characteristic magnitudes of the measured motion, from the runs and the declared model.
 [[nodiscard]] actuator::RigScale rig_scale(std::span<const replay::PreparedRun> runs, const actuator::Model& nominal);
 
+/// The period in which the joint that is fastest swings by itself, s; infinite where none has a spring.
+[[nodiscard]] double shortest_period(const actuator::Model& nominal);
+
 }  // namespace coilwright::measurement::identification

@@ -13,6 +13,7 @@
 #include "coilwright/measurement/identification/decision_thresholds.hpp"
 #include "measurement/data/median_interval.hpp"
 #include "measurement/identification/prior_of_numbers.hpp"
+#include "measurement/identification/rig_scale.hpp"
 #include "measurement/identification/what_is_left.hpp"
 
 namespace coilwright::measurement::identification {
@@ -20,8 +21,9 @@ namespace {
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// Where the level of the noise was told by the record itself, motion and colour enter it: it is known to some 10 %.
-constexpr double freedom_of_own_estimate = 50.0;
+// Where the record itself told the level of the noise, motion and colour enter it, and where another did, light and
+// mount were others: it is known to some 10 %.
+constexpr double freedom_of_estimate = 50.0;
 // Degrees of freedom of the prior of a declared number.
 constexpr double heavy_tail = 4.0;
 // A number that neither records nor priors tell has a volume of so many of its typical changes.
@@ -37,28 +39,50 @@ struct Block {
 };
 
 double freedom_of(const signals::NoiseLevel& noise) {
-  return noise.from_the_run && !noise.pooled ? std::min(noise.freedom, freedom_of_own_estimate) : noise.freedom;
+  return noise.given || noise.pooled ? noise.freedom : std::min(noise.freedom, freedom_of_estimate);
 }
 
-Series series_of(const replay::PreparedRun& run, replay::SampleRange range, std::size_t channel, Eigen::Index first) {
+// A spectrum that another record told is another one here by what no torque can make: `fastest`.
+double longest_colour_of(const signals::NoiseLevel& noise, double fastest) {
+  if (noise.given) return noise.colour_unknown ? std::numeric_limits<double>::infinity() : 0.0;
+  return noise.from_the_run ? 0.0 : fastest;
+}
+
+// Times are in units of the sampling interval of the fastest run, since what is missing knows no clock of its own.
+struct Times {
+  double interval{};  // s; infinite without motions
+  double fastest{};   // over that: nothing that acts on the joints moves them faster than they swing by themselves
+};
+
+Series series_of(const replay::PreparedRun& run, replay::SampleRange range, std::size_t channel, Eigen::Index first,
+                 const Times& unit) {
   const signals::NoiseLevel& noise = run.noise[channel];
-  Series out{.first = first, .freedom = freedom_of(noise), .may_be_coloured = noise.given && noise.colour_unknown};
+  Series out{.first = first, .freedom = freedom_of(noise), .longest_colour = longest_colour_of(noise, unit.fastest)};
   const std::vector<double>& times = run.run->times;
-  const double interval = times.empty() ? 1.0 : data::median_interval(*run.run);
+  if (!times.empty()) out.interval = data::median_interval(*run.run) / unit.interval;
   for (std::size_t i = range.first; i < range.last; ++i) {
     out.set_aside.push_back(run.is_set_aside(channel, i) ? 1 : 0);
     if (i == range.first) continue;
-    const double step = times.empty() ? 1.0 : (times[i] - times[i - 1]) / interval;
+    const double step = times.empty() ? 1.0 : (times[i] - times[i - 1]) / unit.interval;
     // Even times differ by the rounding of their difference, which a filter would take for uneven ones.
     constexpr double rounding = 1e-9;
-    out.steps.push_back(std::abs(step - 1.0) <= rounding ? 1.0 : step);
+    out.steps.push_back(std::abs(step - out.interval) <= rounding * out.interval ? out.interval : step);
   }
+  return out;
+}
+
+Times times_of(std::span<const replay::PreparedRun> runs, const actuator::Model& model) {
+  Times out{.interval = std::numeric_limits<double>::infinity()};
+  for (const replay::PreparedRun& run : runs)
+    if (!run.run->times.empty()) out.interval = std::min(out.interval, data::median_interval(*run.run));
+  const double period = shortest_period(model);
+  if (std::isfinite(period)) out.fastest = period / (2.0 * std::numbers::pi) / out.interval;
   return out;
 }
 
 // `residuals`: as Fit::stacked_residuals, at the fit or near it.
 std::vector<Block> blocks_of(std::span<const replay::PreparedRun> runs, const fit::Fit& fit,
-                             const Eigen::VectorXd& residuals) {
+                             const Eigen::VectorXd& residuals, const Times& unit) {
   std::vector<Block> out;
   Eigen::Index row = 0;
   for (const replay::PreparedRun& run : runs)
@@ -73,7 +97,8 @@ std::vector<Block> blocks_of(std::span<const replay::PreparedRun> runs, const fi
       const Rows priors = all.bottomRows(all.rows() - samples) / fit.model_error;
       Block block{.rows = all.topRows(samples), .series = {}, .local_priors = priors.transpose() * priors};
       for (std::size_t channel = 0; channel < run.run->channels.size(); ++channel)
-        block.series.push_back(series_of(run, range, channel, static_cast<Eigen::Index>(channel * range.samples())));
+        block.series.push_back(
+            series_of(run, range, channel, static_cast<Eigen::Index>(channel * range.samples()), unit));
       out.push_back(std::move(block));
     }
   return out;
@@ -136,7 +161,8 @@ class Weighing {
   Weighing(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted, const actuator::RigScale& scale)
       : runs_(runs),
         fitted_(fitted),
-        blocks_(blocks_of(runs, fitted.fit, fitted.fit.stacked_residuals)),
+        unit_(times_of(runs, fitted.hypothesis.model_at(fitted.hypothesis.start()))),
+        blocks_(blocks_of(runs, fitted.fit, fitted.fit.stacked_residuals, unit_)),
         priors_(priors_of(fitted, scale)) {}
 
   WeighedFit run() const {
@@ -167,11 +193,12 @@ class Weighing {
   RangeOfWhatIsLeft range() const {
     double squares = 0.0;
     for (const Block& block : blocks_) squares += block.rows.col(0).squaredNorm();
-    RangeOfWhatIsLeft out{.largest_deviation = 4.0 * std::sqrt(1.0 + squares / (1.0 + samples()))};
+    RangeOfWhatIsLeft out{.shortest = unit_.fastest,
+                          .largest_deviation = 4.0 * std::sqrt(1.0 + squares / (1.0 + samples()))};
     for (const Block& block : blocks_)
       for (const Series& series : block.series) {
-        out.longest = std::max(out.longest, series.samples());
-        out.may_be_coloured = out.may_be_coloured || series.may_be_coloured;
+        out.longest = std::max(out.longest, static_cast<double>(series.samples()) * series.interval);
+        out.longest_colour = std::max(out.longest_colour, series.longest_colour);
       }
     return out;
   }
@@ -255,7 +282,7 @@ class Weighing {
                                            .local_numbers_from = &fitted_.fit});
       if (!there) continue;
       const double shown =
-          log_density_at(step, likelihood_of(blocks_of(runs_, fitted_.fit, there->stacked_residuals), left));
+          log_density_at(step, likelihood_of(blocks_of(runs_, fitted_.fit, there->stacked_residuals, unit_), left));
       if (shown <= out.log_density) continue;
       out = {.step = step, .log_density = shown};
       break;
@@ -359,6 +386,7 @@ class Weighing {
 
   std::span<const replay::PreparedRun> runs_;
   const FittedHypothesis& fitted_;
+  Times unit_;
   std::vector<Block> blocks_;
   Priors priors_;
 };

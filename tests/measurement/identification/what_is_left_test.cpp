@@ -29,7 +29,7 @@ TEST(WhatIsLeft, NothingIsMissingWithAHalf) {
 }
 
 TEST(WhatIsLeft, NoiseOfUnknownColourIsWhiteOrNotAndAsLargeAsStated) {
-  const auto grid = all_that_may_be_left({.longest = 1000, .largest_deviation = 40.0, .may_be_coloured = true});
+  const auto grid = all_that_may_be_left({.longest = 1000, .largest_deviation = 40.0, .longest_colour = HUGE_VAL});
   const auto coloured = [](const WhatIsLeft& each) {
     return each.missing.deviation == 0.0 && each.colour.deviation > 0.0;
   };
@@ -47,6 +47,22 @@ TEST(WhatIsLeft, LengthsReachFromTwoSamplesToAThirdOfTheLongestSeries) {
       EXPECT_GT(each.missing.length, 2.0);
       EXPECT_LT(each.missing.length, 200.0);
     }
+}
+
+TEST(WhatIsLeft, WhatNoTorqueCanMakeIsNoiseOfAnotherColour) {
+  for (const WhatIsLeft& each :
+       all_that_may_be_left({.shortest = 6.0, .longest = 600, .largest_deviation = 2.0, .longest_colour = 6.0}))
+    if (each.missing.deviation > 0.0) {
+      EXPECT_GT(each.missing.length, 6.0);
+    } else {
+      EXPECT_LT(each.colour.length, 6.0);
+    }
+}
+
+TEST(WhatIsLeft, ColourThatAnotherRecordToldIsNoLongerThanItsSeriesHasIt) {
+  const WhatIsLeft colour{.colour = {.deviation = 0.5, .length = 10.0}};
+  EXPECT_EQ(colour.in({.longest_colour = 6.0}).deviation, 0.0);
+  EXPECT_EQ(colour.in({.longest_colour = 10.0}).deviation, 0.5);
 }
 
 TEST(WhatIsLeft, AShortSeriesHasOneLength) {

@@ -68,14 +68,9 @@ class ByDistance {
 }  // namespace
 
 InnerFields::InnerFields(const Design& design, const Assembly& assembly)
-    : grade_{},
-      remanence_(design.magnet.remanence),
-      size_{},
-      factor_{},
-      face_factors_{},
-      components_(design.layout.size()) {
-  if (design.magnet.grade == nullptr) throw std::invalid_argument("magnets without a grade have no coercivity");
-  grade_ = *design.magnet.grade;
+    : material_(design.magnet), size_{}, factor_{}, face_factors_{}, components_(design.layout.size()) {
+  if (!design.magnet.has_coercivity())
+    throw std::invalid_argument("magnets without a grade, or a coercivity and its coefficient, have no coercivity");
   size_ = {.radius = design.magnet.radius, .length = design.magnet.length};
   factor_ = magnetics::demagnetisation_factor(size_);
   face_factors_ = magnetics::face_demagnetisation_factors(size_);
@@ -113,19 +108,20 @@ Demagnetisation InnerFields::demagnetisation(std::span<const double> temperature
   if (temperatures.size() != components_)
     throw std::invalid_argument(
         fmt::format("temperatures: one per component, {} here; got {}", components_, temperatures.size()));
-  const double susceptibility = grade_.recoil_permeability - 1.0;
+  const double susceptibility = material_.recoil_permeability - 1.0;
   Demagnetisation worst{.margin = 1.0, .margin_worst_point = 1.0, .irreversible_loss = 0.0};
   for (const Inside& magnet : magnets_) {
     const double temperature = temperatures[magnet.component];
     AxialField outside{};
     for (const Neighbour& other : magnet.neighbours)
-      add(outside, other.field, grade_.remanence_ratio(temperatures[other.component]));
+      add(outside, other.field, magnetics::share_at(temperatures[other.component], material_.remanence_coefficient));
     const double coils = -std::abs(current * magnet.coils.mean);
     // M = Br / mu0 + chi H on the recoil line, with H = -N M + what comes from outside.
     const double mean_outside = outside.mean + coils;
-    const double unloaded = remanence_ * grade_.remanence_ratio(temperature) / magnetics::vacuum_permeability;
+    const double unloaded = material_.remanence * magnetics::share_at(temperature, material_.remanence_coefficient) /
+                            magnetics::vacuum_permeability;
     const double magnetisation = (unloaded + susceptibility * mean_outside) / (1.0 + susceptibility * factor_);
-    const double coercivity = grade_.coercivity_at(temperature);
+    const double coercivity = material_.coercivity * magnetics::share_at(temperature, material_.coercivity_coefficient);
     const auto margin = [&](double field) {
       if (field >= 0.0) return 1.0;
       return -field <= coercivity ? 1.0 + field / coercivity : -coercivity / field - 1.0;
@@ -138,12 +134,13 @@ Demagnetisation InnerFields::demagnetisation(std::span<const double> temperature
     }
     worst.margin_worst_point = std::min(worst.margin_worst_point, worst_point);
     // Where its worst point is above the knee, so is all of it.
-    if (worst_point < magnetics::DemagnetisationCurve::knee_margin)
+    const magnetics::DemagnetisationCurve curve{.magnetisation = unloaded,
+                                                .coercivity = coercivity,
+                                                .susceptibility = susceptibility,
+                                                .squareness = material_.squareness};
+    if (worst_point < curve.knee_margin())
       worst.irreversible_loss =
-          std::max(worst.irreversible_loss,
-                   magnetics::irreversible_loss(
-                       size_, {.magnetisation = unloaded, .coercivity = coercivity, .susceptibility = susceptibility},
-                       outside.faces));
+          std::max(worst.irreversible_loss, magnetics::irreversible_loss(size_, curve, outside.faces));
   }
   worst.margin_worst_point = std::min(worst.margin_worst_point, worst.margin);
   return worst;
@@ -156,7 +153,7 @@ std::vector<double> magnet_strengths(const Design& design, std::span<const doubl
   std::vector<double> out;
   for (std::size_t i = 0; i < design.layout.size(); ++i) {
     if (design.layout[i].kind != ComponentKind::magnet) continue;
-    out.push_back(design.magnet.grade == nullptr ? 1.0 : design.magnet.grade->remanence_ratio(temperatures[i]));
+    out.push_back(magnetics::share_at(temperatures[i], design.magnet.remanence_coefficient));
   }
   return out;
 }

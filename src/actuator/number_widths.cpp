@@ -80,6 +80,14 @@ bool is_of_loss_time(const Design& design) {
   return damping_is_by_law(design) && design.choices.damping == DampingLaw::proportional;
 }
 
+// Makers' tables stand behind what a grade brings; another value was stated.
+template <auto Member>
+bool is_of_grade(const Design& design) {
+  MagnetDesign made;
+  made.make_of(design.magnet.grade);
+  return design.magnet.grade != nullptr && design.magnet.*Member == made.*Member;
+}
+
 constexpr NumberWidth without(std::string_view name, std::string_view why) {
   return {.name = name, .subject = {}, .source = why, .settled_by = {}};
 }
@@ -98,6 +106,7 @@ constexpr std::string_view sheet =
 constexpr std::string_view tensile = "the force that bends a joint of this silicone, into measured";
 constexpr std::string_view in_modulus = "one name of the modulus: youngs_modulus_MPa has it";
 constexpr std::string_view sheets_of_silicones = "makers' sheets of silicone rubber";
+constexpr std::string_view its_curve = "the maker's curve of the magnets at two temperatures, into magnet";
 constexpr std::string_view commanded = "commanded, with the current";
 
 // The rows with `printed` stand in the order in which builds draw them: another order is another set of builds.
@@ -163,6 +172,45 @@ constexpr std::array width_rows{
                 .least = 7400.0,
                 .greatest = 7600.0},
     without("magnet_temperature_limit_degC", "a limit that its maker sets"),
+    // None of these is a scatter of builds: a lot of magnets has one value, and of HcJ no less than is guaranteed.
+    NumberWidth{.name = "coercivity_kA_m",
+                .subject = "coercivity of the magnets",
+                .source = "makers guarantee the least; what is bought has 5 to 10 % more (theory/magnetics.md, Grades)",
+                .settled_by = its_curve,
+                .least = 0.0,
+                .greatest = 0.1,
+                .open = &is_of_grade<&MagnetDesign::coercivity>},
+    NumberWidth{.name = "remanence_coefficient_pct_K",
+                .subject = "loss of remanence in the heat",
+                .source = "makers of sintered NdFeB: -0.09 to -0.13 %/K (theory/magnetics.md, Grades)",
+                .settled_by = "the flux of a magnet at two temperatures",
+                .in = In::values,
+                .least = -0.13,
+                .greatest = -0.09,
+                .open = &is_of_grade<&MagnetDesign::remanence_coefficient>},
+    NumberWidth{.name = "coercivity_coefficient_pct_K",
+                .subject = "loss of coercivity in the heat",
+                .source = "makers of one class are 20 % below and 10 % above (theory/magnetics.md, Grades)",
+                .settled_by = its_curve,
+                .least = -0.2,
+                .greatest = 0.1,
+                .open = &is_of_grade<&MagnetDesign::coercivity_coefficient>},
+    NumberWidth{.name = "recoil_permeability",
+                .subject = "recoil permeability of the magnets",
+                .source = "makers of sintered NdFeB: 1.02 to 1.05, 1.05 in most tables (theory/magnetics.md, Grades)",
+                .settled_by = its_curve,
+                .in = In::values,
+                .least = 1.02,
+                .greatest = 1.05,
+                .open = &is_of_grade<&MagnetDesign::recoil_permeability>},
+    NumberWidth{.name = "squareness",
+                .subject = "squareness of the magnets",
+                .source = "sintered NdFeB: 0.9 is guaranteed, 0.99 a good one (theory/magnetics.md, Irreversible loss)",
+                .settled_by = its_curve,
+                .in = In::values,
+                .least = 0.9,
+                .greatest = 0.99,
+                .open = &is_of_grade<&MagnetDesign::squareness>},
     tolerance({.name = "gap_mm",
                .subject = "gap between coil and magnet",
                .source = "walls cast in printed moulds: +-0.1 mm; cores set by hand: +-0.2 mm; assumed",

@@ -14,8 +14,6 @@ namespace {
 constexpr std::size_t rings = 8;  // as many as the kernels take points together, and face points a radius
 constexpr std::size_t slices = 10;
 constexpr std::size_t cells = rings * slices;  // slice by slice from the face at -z, each from the axis outwards
-constexpr double squareness = 0.95;
-constexpr double steepness = squareness / (1.0 - squareness);  // of the curve beyond the knee, M0 over HcJ
 constexpr double cell_rule_error = 1e-8;
 
 static_assert(face_points == 2 * rings);
@@ -92,19 +90,24 @@ CellValues at_cells(const FaceValues& faces) {
   return out;
 }
 
+// Of the curve beyond the knee, M0 over HcJ.
+double steepness(const DemagnetisationCurve& curve) {
+  return curve.squareness / (1.0 - curve.squareness);
+}
+
 // M of a cell in a field `applied` by everything else and its own -N M: the one place where both meet.
 double magnetisation_of(const DemagnetisationCurve& curve, double applied, double own_factor) {
   const double on_recoil =
       (curve.magnetisation + curve.susceptibility * applied) / (1.0 + curve.susceptibility * own_factor);
-  const double slope = steepness * curve.magnetisation / curve.coercivity;
-  const double beyond = (steepness * curve.magnetisation + slope * applied) / (1.0 + slope * own_factor);
+  const double slope = steepness(curve) * curve.magnetisation / curve.coercivity;
+  const double beyond = (steepness(curve) * curve.magnetisation + slope * applied) / (1.0 + slope * own_factor);
   return std::max(-curve.magnetisation, std::min(on_recoil, beyond));
 }
 
 // Where the recoil line meets what is beyond it.
 double magnetisation_at_knee(const DemagnetisationCurve& curve) {
-  const double slope = steepness * curve.magnetisation / curve.coercivity;
-  return curve.magnetisation * (1.0 - curve.susceptibility * (steepness - 1.0) / (slope - curve.susceptibility));
+  const double slope = steepness(curve) * curve.magnetisation / curve.coercivity;
+  return curve.magnetisation * (1.0 - curve.susceptibility * (steepness(curve) - 1.0) / (slope - curve.susceptibility));
 }
 
 }  // namespace
@@ -121,6 +124,7 @@ double irreversible_loss(const CylinderSize& size, const DemagnetisationCurve& c
           curve.magnetisation);
   require_finite("coercivity", curve.coercivity);
   require(curve.susceptibility >= 0.0, "susceptibility", ">= 0", curve.susceptibility);
+  require(curve.squareness > 0.5 && curve.squareness < 1.0, "squareness", "> 0.5 and < 1", curve.squareness);
   if (curve.coercivity <= 0.0 || curve.magnetisation == 0.0) return 1.0;
   const CellFactors factor(size);
   CellValues fields = at_cells(outside);

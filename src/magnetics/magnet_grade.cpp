@@ -95,12 +95,8 @@ constexpr std::array table{
 
 }  // namespace
 
-double MagnetGrade::remanence_ratio(double temperature) const noexcept {
-  return std::max(0.0, 1.0 + remanence_coefficient * (temperature - reference));
-}
-
-double MagnetGrade::coercivity_at(double temperature) const noexcept {
-  return coercivity * std::max(0.0, 1.0 + coercivity_coefficient * (temperature - reference));
+double share_at(double temperature, double coefficient) noexcept {
+  return std::max(0.0, 1.0 + coefficient * (temperature - reference));
 }
 
 std::span<const MagnetGrade> magnet_grades() noexcept {

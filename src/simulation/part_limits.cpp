@@ -91,7 +91,7 @@ std::vector<PartLimit> part_limits(const DesignView& design) {
                       .limit = 1.0,
                       .consequence = "the supply has not the voltage to drive this current through the warm coils, and "
                                      "nothing here is reached"});
-  if (design.design.magnet.grade != nullptr)
+  if (design.design.magnet.has_coercivity())
     limits.push_back({.quantity = loss,
                       .value = value(loss),
                       .limit = most_irreversible_loss,

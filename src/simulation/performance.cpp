@@ -33,7 +33,7 @@ std::optional<actuator::Demagnetisation> demagnetisation_of(const Design& design
                                                             const OperatingPoint& point, const Performance& cases) {
   const thermal::NodeVector& free = cases.free.heat.temperatures;
   const thermal::NodeVector& gripping = cases.gripping.heat.temperatures;
-  if (!feels_heat(design) || free.size() == 0 || gripping.size() == 0) return std::nullopt;
+  if (!design.magnet.has_coercivity() || free.size() == 0 || gripping.size() == 0) return std::nullopt;
   const actuator::InnerFields fields(design, assembly);
   const auto at = [&](const thermal::NodeVector& temperatures) {
     return fields.demagnetisation({temperatures.data(), static_cast<std::size_t>(temperatures.size())}, point.current);

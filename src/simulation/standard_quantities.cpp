@@ -17,7 +17,8 @@ using Value = std::optional<double>;
 constexpr auto no_change = "the current does not change the bending angle";
 constexpr auto no_current_allowed = "the surroundings are as hot as a limit already";
 constexpr auto no_coercivity =
-    "the magnets have no grade and so no known coercivity, or the current is at or beyond that of a thermal runaway";
+    "the magnets have no grade and state no coercivity with its coefficient, or the current is at or beyond that of a "
+    "thermal runaway";
 constexpr auto runaway = "the current is at or beyond that of a thermal runaway";
 
 ResultQuantity of_design(std::string name, std::string meaning, double scale, ResultQuantity::Value value,

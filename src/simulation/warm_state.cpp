@@ -65,7 +65,7 @@ std::optional<Settled> settle(const actuator::Design& design, const actuator::As
 }  // namespace
 
 bool feels_heat(const actuator::Design& design) {
-  return design.magnet.grade != nullptr;
+  return design.magnet.remanence_coefficient != 0.0;
 }
 
 std::variant<FreeCase, NoPerformance> free_case(const actuator::Design& design, const actuator::Assembly& assembly,

@@ -115,6 +115,7 @@ constexpr std::array table = {
     Unit{"uH", "inductance", 1, 1e6},
     Unit{"T", "flux density"},
     Unit{"mT", "flux density", 1, 1e3},
+    Unit{"kA_m", "magnetic field strength", 1e3},
     Unit{"T_m", "gradient of a flux density"},
 
     Unit{"K", "temperature"},

@@ -44,6 +44,15 @@ inline Design paper_finger() {
   return design;
 }
 
+/// Makes magnets of a grade that keep their remanence, density and temperature limit.
+inline void make_of_grade(MagnetDesign& magnet, std::string_view name) {
+  const MagnetDesign before = magnet;
+  magnet.make_of(magnetics::find_magnet_grade(name));
+  magnet.remanence = before.remanence;
+  magnet.density = before.density;
+  magnet.temperature_limit = before.temperature_limit;
+}
+
 /// A finger of the default parts of that silicone, of which nothing was measured.
 inline Design of_silicone(std::string_view name, double bottom_layer) {
   Design design;

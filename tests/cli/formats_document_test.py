@@ -11,7 +11,8 @@ TEXT = "\n".join(page.read_text() for page in sorted((ROOT / "docs").glob("forma
 
 
 # What is written only where a design has it.
-NOT_WRITTEN = {"wire_diameter_mm", "enamel", "wire_overall_mm", "filler", "silicone", "shore_hardness_00", "youngs_modulus_MPa"}
+NOT_WRITTEN = {"wire_diameter_mm", "enamel", "wire_overall_mm", "filler", "silicone", "shore_hardness_00", "youngs_modulus_MPa",
+               "coercivity_kA_m", "remanence_coefficient_pct_K", "coercivity_coefficient_pct_K", "recoil_permeability", "squareness"}
 
 
 def examples(kind):

@@ -78,7 +78,7 @@ class StudyProvenance(ProgramTest):
             self.assertAlmostEqual(float(row[key]), figures[key], delta=1e-9 * max(1, abs(figures[key])), msg=key)
 
     def test_a_comma_in_a_reason_breaks_no_row(self):
-        # The paper's magnets have no grade: "... and so no known coercivity, or the current is ..."
+        # The paper's magnets have no grade: "... with its coefficient, or the current is ..."
         write_study(self, objectives=FRONT, constraints=[{"quantity": "demagnetisation_margin", "at_least": 0}])
         run("pareto", "study.json", "--out", "out", cwd=self.folder)
         lines = (self.folder / "out/evaluations.csv").read_text()

@@ -115,14 +115,15 @@ def outside(rule):
         yield max(rule["enum"]) + 0.5
 
 
-# Other names of the wire and of a silicone's stiffness: there is none by itself.
+# Other names of the wire and of a silicone's stiffness, and what a magnet has of its grade: there is none by itself.
 OTHER_NAMES = ("wire_diameter_mm", "wire_overall_mm", "shore_hardness_00", "youngs_modulus_MPa")
+OF_A_GRADE = ("coercivity_kA_m", "remanence_coefficient_pct_K", "coercivity_coefficient_pct_K", "recoil_permeability")
 
 
 def defaults(section):
     """What a section of an actuator has where a file says nothing; a reference of its calibration is not made up."""
     return {key: rule["default"] for key, rule in section["properties"].items()
-            if key not in ("hinge_reference", "comment", *OTHER_NAMES)}
+            if key not in ("hinge_reference", "comment", *OTHER_NAMES, *OF_A_GRADE)}
 
 
 def with_comments(document):
@@ -425,8 +426,9 @@ class SchemasAndProgram(ProgramTest):
         # But for a coil's share of the current, which is written where it is not the whole.
         whole = {key: 1 for key in properties["coil"]["properties"] if key.startswith("current_share_")}
         self.assertEqual(len(whole), 4)
-        # And but for an enamel and a silicone that are as usual.
+        # And but for an enamel, a squareness and a silicone that are as usual.
         written["coil"] = {**whole, "enamel": "grade_1", "filler": "unstated", **written["coil"]}
+        written["magnet"] = {"squareness": 0.95, **written["magnet"]}
         written["body"] = {"silicone": "none", **written["body"]}
         for section in ("coil", "magnet", "body", "surroundings", "model", "calibration"):
             self.assertEqual(defaults(properties[section]), written[section])

@@ -18,16 +18,16 @@ TEST(MagnetGrade, HoldsWhatTheMakerOfN52Prints) {
   EXPECT_EQ(grade->remanence, 1.45);
   EXPECT_EQ(grade->temperature_limit, 60.0);
   EXPECT_EQ(grade->price_ratio, 1.0);
-  EXPECT_NEAR(grade->coercivity_at(20.0), 876e3, 1e-9);
-  EXPECT_NEAR(grade->coercivity_at(60.0), 613.2e3, 1e-9);
-  EXPECT_NEAR(grade->remanence_ratio(60.0), 0.952, 1e-15);
+  EXPECT_NEAR(grade->coercivity * share_at(20.0, grade->coercivity_coefficient), 876e3, 1e-9);
+  EXPECT_NEAR(grade->coercivity * share_at(60.0, grade->coercivity_coefficient), 613.2e3, 1e-9);
+  EXPECT_NEAR(share_at(60.0, grade->remanence_coefficient), 0.952, 1e-15);
 }
 
 TEST(MagnetGrade, NeverTurnsRoundInTheHeat) {
   const MagnetGrade* grade = find_magnet_grade("N42SH");
   ASSERT_NE(grade, nullptr);
-  EXPECT_EQ(grade->coercivity_at(1000.0), 0.0);
-  EXPECT_EQ(grade->remanence_ratio(2000.0), 0.0);
+  EXPECT_EQ(share_at(1000.0, grade->coercivity_coefficient), 0.0);
+  EXPECT_EQ(share_at(2000.0, grade->remanence_coefficient), 0.0);
 }
 
 // What every real row must keep: a guaranteed value is below the typical one; HcB is below Br / (mu0 mu_rec), where the
@@ -42,13 +42,15 @@ TEST(MagnetGrade, HoldsRowsThatAMaterialCanHave) {
     EXPECT_LT(grade.induction_coercivity,
               grade.remanence / (vacuum_permeability * grade.recoil_permeability) * (1.0 + 0.01));
     EXPECT_LT(grade.induction_coercivity, grade.coercivity);
-    EXPECT_GT(grade.coercivity_at(grade.temperature_limit), 0.25 * grade.coercivity);
+    EXPECT_GT(share_at(grade.temperature_limit, grade.coercivity_coefficient), 0.25);
   }
   for (const char* number : {"N35", "N38", "N40", "N42", "N45", "N48"}) {
     const MagnetGrade* plain = find_magnet_grade(number);
     const MagnetGrade* hot = find_magnet_grade(std::string(number) + "SH");
     ASSERT_TRUE(plain != nullptr && hot != nullptr) << number;
-    EXPECT_GT(hot->coercivity_at(80.0), 1.9 * plain->coercivity_at(80.0)) << number;
+    EXPECT_GT(hot->coercivity * share_at(80.0, hot->coercivity_coefficient),
+              1.9 * plain->coercivity * share_at(80.0, plain->coercivity_coefficient))
+        << number;
     EXPECT_GT(hot->price_ratio, plain->price_ratio) << number;
   }
   EXPECT_EQ(find_magnet_grade("N99"), nullptr);

@@ -135,9 +135,18 @@ TEST(ChoiceEffects, StandInTheOrderOfWhatTheyDo) {
   EXPECT_TRUE(std::ranges::is_sorted(weights, std::greater()));
 }
 
-// The largest change of a main figure between two designs, worked out here: 0 where the other has no performance.
-double largest_change(const DesignView& taken, const actuator::Design& other) {
+// What another design does to figures and limits, worked out here.
+struct Difference {
+  double change{};  // the largest of a main figure
+  bool breaks{};    // a limit of a part that is not conditional
+};
+
+Difference difference_of(const DesignView& taken, const actuator::Design& other) {
   const EvaluatedDesign result = evaluate(other, taken.point);
+  const std::vector<PartLimit> kept = part_limits(taken);
+  const bool breaks = std::ranges::any_of(part_limits(result.view()), [&](const PartLimit& limit) {
+    return !limit.conditional && limit.is_broken() && !limit_of(kept, limit.quantity).is_broken();
+  });
   double largest = 0.0;
   for (const std::string_view name : main_figures) {
     const ResultQuantity& quantity = standard_quantities().at(name);
@@ -145,12 +154,12 @@ double largest_change(const DesignView& taken, const actuator::Design& other) {
     const std::optional<double> after = quantity.value(result.view());
     if (before && after && *before != 0.0) largest = std::max(largest, std::abs(*after / *before - 1.0));
   }
-  return largest;
+  return {.change = largest, .breaks = breaks};
 }
 
 // Every number of a design at both ends of its documented width, and every choice of its model in every way that
 // docs/assumptions.md calls tenable, each written into the design as a file would: whatever changes a figure by more
-// than 2 % must be in the list, and no smaller there.
+// than 2 % must be in the list, and no smaller there, and so must whatever breaks a limit.
 TEST(ChoiceEffects, LackNothingThatMatters) {
   using namespace actuator;
   Design of_two = of_silicone("Dragon Skin 20", 3.2e-3);
@@ -161,21 +170,34 @@ TEST(ChoiceEffects, LackNothingThatMatters) {
   Design strip = of_silicone("Mold Star 30", 2e-3);
   strip.choices.hinge = HingeLaw::beam;
   strip.choices.damping = DampingLaw::proportional;
-  for (const Design& design :
-       {of_silicone("Ecoflex 00-30", 4e-3), of_silicone("Dragon Skin 20", 3.2e-3), of_two, in_c, strip}) {
+  // The paper's conventions; and magnets of a grade, which lose 0.7 % where 1 % is the limit.
+  Design graded = paper_geometry();
+  graded.magnet.make_of(magnetics::find_magnet_grade("N50"));
+  graded.surroundings.ambient = 33.0;
+  Design by_sheet = of_silicone("Ecoflex 00-50", 3e-3);
+  by_sheet.magnet.make_of(magnetics::find_magnet_grade("N42"));
+  by_sheet.magnet.squareness = 0.93;
+  std::set<std::string_view> breaking;
+  for (const Design& design : {of_silicone("Ecoflex 00-30", 4e-3), of_silicone("Dragon Skin 20", 3.2e-3), of_two, in_c,
+                               strip, graded, by_sheet}) {
     const EvaluatedDesign taken = evaluate(design, {.current = 0.6, .duty = 0.6});
     const std::vector<ChoiceEffect> effects = choice_effects(taken.view());
     const auto listed = [&](auto&& is_it) {
-      double largest = 0.0;
+      Difference largest;
       for (const ChoiceEffect& each : effects)
-        if (is_it(each.choice)) largest = std::max(largest, each.change);
+        if (is_it(each.choice))
+          largest = {.change = std::max(largest.change, each.change), .breaks = largest.breaks || each.breaks};
       return largest;
     };
     std::size_t mattering = 0;
-    const auto expect_listed = [&](double change, double in_list, std::string_view what) {
-      if (change < change_that_matters) return;
+    const auto expect_listed = [&](const Difference& found, const Difference& in_list, std::string_view what) {
+      if (found.breaks) {
+        breaking.insert(what);
+        EXPECT_TRUE(in_list.breaks) << what;
+      }
+      if (found.change < change_that_matters) return;
       ++mattering;
-      EXPECT_GE(in_list, 0.999 * change) << what;
+      EXPECT_GE(in_list.change, 0.999 * found.change) << what;
     };
     for (const NumberWidth& width : number_widths()) {
       if (width.subject.empty() || (width.open != nullptr && !width.open(design))) continue;
@@ -190,14 +212,14 @@ TEST(ChoiceEffects, LackNothingThatMatters) {
         Design other = design;
         parameter.set(other, units::to_memory(end, parameter.key));
         if (!construction_faults(other).empty()) continue;
-        expect_listed(largest_change(taken.view(), other),
+        expect_listed(difference_of(taken.view(), other),
                       listed([&](const OtherChoice& each) { return each.number == width.name; }), width.name);
       }
     }
     const auto expect_choice = [&](std::string_view subject, auto&& change_of) {
       Design other = design;
       change_of(other);
-      expect_listed(largest_change(taken.view(), other),
+      expect_listed(difference_of(taken.view(), other),
                     listed([&](const OtherChoice& each) { return each.subject == subject; }), subject);
     };
     for (const HingeLaw law : {HingeLaw::slit, HingeLaw::slot, HingeLaw::beam})
@@ -211,10 +233,16 @@ TEST(ChoiceEffects, LackNothingThatMatters) {
     for (const AmpacityChoice ampacity : {AmpacityChoice::law, AmpacityChoice::table})
       expect_choice("ampacity of the wire", [&](Design& other) { other.choices.ampacity = ampacity; });
     using magnetics::CurrentDistribution;
-    for (const auto winding : {CurrentDistribution::paper_shells, CurrentDistribution::uniform})
+    for (const auto winding :
+         {CurrentDistribution::paper_shells, CurrentDistribution::layer_centres, CurrentDistribution::uniform})
       expect_choice("current in the winding", [&](Design& other) { other.choices.winding = winding; });
+    // What is nearer the truth than the paper's, and no more than that.
+    expect_choice("torque of a coil on its magnet",
+                  [](Design& other) { other.choices.torque = magnetics::Fidelity::exact; });
+    expect_choice("mass of a segment", [](Design& other) { other.choices.masses = SegmentMass::rigid_bodies; });
     EXPECT_GT(mattering, 10U);
   }
+  EXPECT_THAT(breaking, ::testing::IsSupersetOf({"squareness", "coercivity_coefficient_pct_K", "remanence_T"}));
 }
 
 // An evaluation from outside: -2.9 and -2.8 % were printed where the slot's own law has +4.9 and +10.8 %.

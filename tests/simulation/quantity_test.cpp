@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "actuator/paper_finger.hpp"
 #include "coilwright/simulation/evaluate.hpp"
 #include "coilwright/simulation/part_limits.hpp"
 #include "coilwright/simulation/pressed_joints.hpp"
@@ -134,7 +135,7 @@ TEST(Quantities, ThatMayHaveNoValueSayWhy) {
 TEST(Quantities, ScaleIsWithinTenfoldOfThePrototype) {
   // Scales weigh limits of zero against each other; an order of magnitude is all they must get right.
   actuator::Design design = prototype().design;
-  design.magnet.grade = magnetics::find_magnet_grade("N42SH");  // so that there is a coercivity, and margin to it
+  actuator::make_of_grade(design.magnet, "N42SH");  // so that there is a coercivity, and margin to it
   const EvaluatedDesign base = evaluate(design, prototype().point);
   for (const ResultQuantity& quantity : standard_quantities()) {
     const std::optional<double> value = quantity.value(base.view());

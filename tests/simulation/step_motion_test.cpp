@@ -16,7 +16,7 @@ namespace {
 
 EvaluatedDesign warm_finger() {
   actuator::Design design = actuator::paper_finger();
-  design.magnet.grade = magnetics::find_magnet_grade("N52");
+  actuator::make_of_grade(design.magnet, "N52");
   return evaluate(design, {.current = 1.1, .duty = 0.8});
 }
 

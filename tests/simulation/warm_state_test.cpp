@@ -21,7 +21,7 @@ using actuator::Design;
 Design graded(actuator::Configuration configuration = actuator::Configuration::B) {
   Design design = actuator::paper_finger();
   design.layout = actuator::layout_of(configuration);
-  design.magnet.grade = magnetics::find_magnet_grade("N52");
+  actuator::make_of_grade(design.magnet, "N52");
   return design;
 }
 
@@ -102,9 +102,10 @@ TEST(WarmState, MarksADemagnetisedMagnetAsABrokenLimit) {
 TEST(WarmState, SaysWhyAQuantityHasNoValue) {
   const auto absence = [](const char* name) { return standard_quantities().at(name).absence; };
   EXPECT_EQ(absence("peak_bending_speed_deg_s"), "the current is at or beyond that of a thermal runaway");
-  EXPECT_EQ(absence("demagnetisation_margin"),
-            "the magnets have no grade and so no known coercivity, or the current is at or beyond that of a thermal "
-            "runaway");
+  EXPECT_EQ(
+      absence("demagnetisation_margin"),
+      "the magnets have no grade and state no coercivity with its coefficient, or the current is at or beyond that "
+      "of a thermal runaway");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ struct Demagnetisation {
   double irreversible_loss{};   ///< share of its moment that the worst magnet loses for good: irreversible_loss()
 };
 
-/// The fields inside the magnets of an assembled design whose magnets have a grade, per magnet and ampere: everything
+/// The fields inside the magnets of an assembled design whose coercivity is known, per magnet and ampere: everything
 /// that does not depend on temperature. The finger is taken straight, where coils are nearest.
 ///
 /// A magnet's own field is -N M; neighbouring magnets and coils add the mean of their fields over its volume. Coils
@@ -26,7 +26,7 @@ struct Demagnetisation {
 /// "Magnets".
 class InnerFields {
  public:
-  /// Computes the fields. Throws std::invalid_argument if the magnets have no grade.
+  /// Computes the fields. Throws std::invalid_argument if !design.magnet.has_coercivity().
   InnerFields(const Design& design, const Assembly& assembly);
 
   /// The margins at `temperatures` (degC, one per component, base to tip) under a current of either sign (A, in every
@@ -44,8 +44,7 @@ class InnerFields {
     std::vector<Neighbour> neighbours;
   };
 
-  magnetics::MagnetGrade grade_;
-  double remanence_;  // T, at 20 degC
+  MagnetDesign material_;
   magnetics::CylinderSize size_;
   double factor_;  // N
   magnetics::FaceValues face_factors_;
@@ -53,8 +52,8 @@ class InnerFields {
   std::vector<Inside> magnets_;
 };
 
-/// Remanence of each magnet at its temperature over that at 20 degC, base to tip; 1 if the design's magnets have no
-/// grade. `temperatures` has one value per component, degC.
+/// Remanence of each magnet at its temperature over that at 20 degC, base to tip; 1 if the design's magnets do not
+/// weaken in the heat. `temperatures` has one value per component, degC.
 [[nodiscard]] std::vector<double> magnet_strengths(const Design& design, std::span<const double> temperatures);
 
 }  // namespace coilwright::actuator

@@ -4,17 +4,20 @@
 
 namespace coilwright::magnetics {
 
-/// The curve on which a magnet leaves its recoil line: M = M0 + chi H down to a knee, then straight through 0.95 M0 at
-/// 0.95 HcJ to 0 at -HcJ and beyond. The squareness is typical of sintered NdFeB: makers guarantee 0.9, and 0.99 is a
-/// good one.
-struct DemagnetisationCurve {
-  double magnetisation{};   ///< M0 = Br / mu0, A/m; finite, >= 0
-  double coercivity{};      ///< HcJ, A/m; finite; at 0 and below the magnet holds no magnetisation
-  double susceptibility{};  ///< chi of the recoil line, recoil permeability less 1; >= 0
+/// Squareness of a typical sintered NdFeB: makers guarantee 0.9, and 0.99 is a good one.
+inline constexpr double typical_squareness = 0.95;
 
-  /// The margin 1 - |H| / HcJ above which every curve is on its recoil line: the knee for chi = 0; the others are
-  /// lower.
-  static constexpr double knee_margin = 1.0 / 19.0;
+/// The curve on which a magnet leaves its recoil line: M = M0 + chi H down to a knee, then straight through s M0 at
+/// s HcJ to 0 at -HcJ and beyond. s is the squareness. Makers state Hk / HcJ with M = 0.9 M0 at Hk, which is
+/// 1 - 0.9 (1 - s) / s: 0.953 for 0.95, and 0.9 for 0.9.
+struct DemagnetisationCurve {
+  double magnetisation{};                  ///< M0 = Br / mu0, A/m; finite, >= 0
+  double coercivity{};                     ///< HcJ, A/m; finite; at 0 and below the magnet holds no magnetisation
+  double susceptibility{};                 ///< chi of the recoil line, recoil permeability less 1; >= 0
+  double squareness = typical_squareness;  ///< s; > 0.5, < 1
+
+  /// The margin 1 - |H| / HcJ above which the curve is on its recoil line: the knee for chi = 0; others are lower.
+  [[nodiscard]] double knee_margin() const noexcept { return (1.0 - squareness) / squareness; }
 
   /// Magnetisation M at an inner field H (A/m, negative against the magnetisation) that the magnet meets for the first
   /// time, A/m; never below -M0.

@@ -18,12 +18,11 @@ struct MagnetGrade {
   double density{};                 ///< kg/m^3
   double temperature_limit{};       ///< highest working temperature as makers state it, degC; for thick magnets
   double price_ratio{};             ///< per volume, over that of N52
-
-  /// Br at a temperature (degC) over that at 20 degC: linear, >= 0.
-  [[nodiscard]] double remanence_ratio(double temperature) const noexcept;
-  /// HcJ at a temperature (degC), A/m: linear, >= 0.
-  [[nodiscard]] double coercivity_at(double temperature) const noexcept;
 };
+
+/// What a material with that temperature coefficient (of Br or HcJ, 1/K) has at a temperature (degC) over what it has
+/// at 20 degC: linear, >= 0.
+[[nodiscard]] double share_at(double temperature, double coefficient) noexcept;
 
 /// Every grade, by class (no letter, M, H, SH) and then by remanence. The table lives as long as the program.
 [[nodiscard]] std::span<const MagnetGrade> magnet_grades() noexcept;

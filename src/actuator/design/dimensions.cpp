@@ -61,6 +61,10 @@ class MisfitList {
       list_.push_back({fmt::format("{} must be at most {}; got {}", name, most_turns, value),
                        static_cast<double>(value) / most_turns - 1.0});
   }
+  void require_within(double value, double lowest, double highest, const std::string& name) {
+    if (!(value >= lowest && value <= highest))
+      list_.push_back({fmt::format("{} must lie in {:.6g} to {:.6g}; got {}", name, lowest, highest, value), 1.0});
+  }
   void add(std::string rule, double excess) { list_.push_back({std::move(rule), excess}); }
   [[nodiscard]] ConstructionFaults take() { return std::move(list_); }
   [[nodiscard]] bool empty() const { return list_.empty(); }
@@ -68,6 +72,19 @@ class MisfitList {
  private:
   ConstructionFaults list_;
 };
+
+void check_material(const MagnetDesign& magnet, MisfitList& list) {
+  if (magnet.coercivity != 0.0)
+    list.require_within(1e-3 * magnet.coercivity, 1e-3 * least_coercivity, 1e-3 * most_coercivity,
+                        "coercivity in kA/m");
+  list.require_within(1e2 * magnet.remanence_coefficient, -1e2 * most_coefficient, 1e2 * most_coefficient,
+                      "remanence coefficient in %/K");
+  list.require_within(1e2 * magnet.coercivity_coefficient, -1e2 * most_coefficient, 1e2 * most_coefficient,
+                      "coercivity coefficient in %/K");
+  list.require_within(magnet.recoil_permeability, 1.0, magnetics::CylinderMagnet::most_recoil_permeability,
+                      "recoil permeability");
+  list.require_within(magnet.squareness, least_squareness, most_squareness, "squareness");
+}
 
 void check_sizes(const Design& design, MisfitList& list) {
   list.require_length(design.coil.inner_radius, "coil inner radius");
@@ -81,6 +98,7 @@ void check_sizes(const Design& design, MisfitList& list) {
                          design.magnet.remanence),
              design.magnet.remanence / most_remanence - 1.0);
   list.require_positive(design.magnet.density, "magnet density", 1.0, "kg/m3");
+  check_material(design.magnet, list);
   const BodyDesign& body = design.body;
   list.require_length(body.gap, "gap");
   list.require_length(body.bottom_layer, "bottom layer");
@@ -91,8 +109,7 @@ void check_sizes(const Design& design, MisfitList& list) {
   list.require_length(body.rear_length, "rear length");
   list.require_length(body.hinge_length, "hinge length");
   list.require_not_negative(body.slot_width, "slot width", 1e-3, " mm");
-  if (!(body.poisson_ratio >= 0.0 && body.poisson_ratio <= 0.5))
-    list.add(fmt::format("Poisson's ratio must lie in 0 to 0.5; got {}", body.poisson_ratio), 1.0);
+  list.require_within(body.poisson_ratio, 0.0, 0.5, "Poisson's ratio");
   list.require_not_negative(body.loss_factor, "loss factor", 1.0, "");
   list.require_not_negative(body.loss_time, "loss time", 1e-3, " ms");
   list.require_not_negative(body.constant_damping, "constant damping", 1e-3, " N mm s/rad");
@@ -103,18 +120,14 @@ void check_silicone(const SiliconeDesign& silicone, const std::string& of, Misfi
   list.require_positive(silicone.density, (of + "silicone density").c_str(), 1.0, "kg/m3");
   list.require_positive(silicone.heat_capacity, (of + "silicone heat capacity").c_str(), 1.0, "J/(kg K)");
   list.require_positive(silicone.conductivity, (of + "silicone conductivity").c_str(), 1.0, "W/(m K)");
-  const auto require_within = [&](const std::string& name, double value, double lowest, double highest) {
-    if (!(value >= lowest && value <= highest))
-      list.add(fmt::format("{} must lie in {:.6g} to {:.6g}; got {}", of + name, lowest, highest, value), 1.0);
-  };
   constexpr double megapascal = 1e6;
   if (silicone.young_modulus != 0.0)
-    require_within("Young's modulus in MPa", silicone.young_modulus / megapascal, softest_silicone / megapascal,
-                   stiffest_silicone / megapascal);
+    list.require_within(silicone.young_modulus / megapascal, softest_silicone / megapascal,
+                        stiffest_silicone / megapascal, of + "Young's modulus in MPa");
   else if (silicone.shore_hardness_00 != 0.0)
-    require_within("shore 00 hardness", silicone.shore_hardness_00, 10.0, 70.0);
+    list.require_within(silicone.shore_hardness_00, 10.0, 70.0, of + "shore 00 hardness");
   else
-    require_within("shore hardness", silicone.shore_hardness, 20.0, 80.0);
+    list.require_within(silicone.shore_hardness, 20.0, 80.0, of + "shore hardness");
 }
 
 void check_surroundings(const Design& design, MisfitList& list) {

@@ -114,6 +114,18 @@ void set_wire_diameter(Design& design, double value) {
   design.coil.wire_overall = 0.0;
 }
 
+// What a grade brings and files say only where it is another: as made of the grade.
+template <auto Member>
+constexpr Parameter grade_number(std::string_view key, std::string_view name, ParameterRule rule) {
+  Parameter out = number<&Design::magnet, Member>("magnet", key, name, rule);
+  out.needed = [](const Design& design) {
+    MagnetDesign made;
+    made.make_of(design.magnet.grade);
+    return design.magnet.*Member != made.*Member;
+  };
+  return out;
+}
+
 // The silicones: that of the body, and that of the bottom layer where it is another.
 struct OfBody {
   static const SiliconeDesign& in(const Design& design) { return design.body; }
@@ -230,6 +242,13 @@ constexpr std::array table = {
     number<&Design::magnet, &MagnetDesign::density>("magnet", "density_kg_m3", "magnet_density_kg_m3", positive),
     number<&Design::magnet, &MagnetDesign::temperature_limit>("magnet", "temperature_limit_degC",
                                                               "magnet_temperature_limit_degC", any),
+    grade_number<&MagnetDesign::coercivity>("coercivity_kA_m", "coercivity_kA_m", positive),
+    grade_number<&MagnetDesign::remanence_coefficient>("remanence_coefficient_pct_K", "remanence_coefficient_pct_K",
+                                                       any),
+    grade_number<&MagnetDesign::coercivity_coefficient>("coercivity_coefficient_pct_K", "coercivity_coefficient_pct_K",
+                                                        any),
+    grade_number<&MagnetDesign::recoil_permeability>("recoil_permeability", "recoil_permeability", positive),
+    grade_number<&MagnetDesign::squareness>("squareness", "squareness", positive),
     silicone_grade<OfBody>("silicone"),
     number<&Design::body, &BodyDesign::gap>("body", "gap_mm", "gap_mm", length),
     number<&Design::body, &BodyDesign::bottom_layer>("body", "bottom_layer_mm", "bottom_layer_mm", length),

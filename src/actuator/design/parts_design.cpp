@@ -45,23 +45,31 @@ std::string SiliconeDesign::name() const {
 }
 
 void MagnetDesign::make_of(const magnetics::MagnetGrade* material) {
-  grade = material;
-  if (material == nullptr) return;
-  remanence = material->remanence;
-  density = material->density;
-  temperature_limit = material->temperature_limit;
+  MagnetDesign made{.radius = radius,
+                    .length = length,
+                    .remanence = remanence,
+                    .density = density,
+                    .temperature_limit = temperature_limit};
+  if (material != nullptr) {
+    made.grade = material;
+    made.remanence = material->remanence;
+    made.density = material->density;
+    made.temperature_limit = material->temperature_limit;
+    made.coercivity = material->coercivity;
+    made.remanence_coefficient = material->remanence_coefficient;
+    made.coercivity_coefficient = material->coercivity_coefficient;
+    made.recoil_permeability = material->recoil_permeability;
+  }
+  *this = made;
 }
 
 double MagnetDesign::polarisation() const {
-  if (grade == nullptr) return remanence;
-  return remanence * magnetics::recoil_factor({.radius = radius, .length = length}, grade->recoil_permeability);
+  return remanence * magnetics::recoil_factor({.radius = radius, .length = length}, recoil_permeability);
 }
 
 magnetics::CylinderMagnet MagnetDesign::cylinder() const {
-  return magnetics::CylinderMagnet({.radius = radius,
-                                    .length = length,
-                                    .remanence = remanence,
-                                    .recoil_permeability = grade == nullptr ? 1.0 : grade->recoil_permeability});
+  return magnetics::CylinderMagnet(
+      {.radius = radius, .length = length, .remanence = remanence, .recoil_permeability = recoil_permeability});
 }
 
 }  // namespace coilwright::actuator

@@ -131,6 +131,12 @@ Rule rule_of(const actuator::Parameter& parameter) {
   if (parameter.name == "wire_diameter_mm") return wire_mm;
   if (parameter.name == "wire_overall_mm") return wire_overall_mm;
   if (parameter.name == "remanence_T") return design_remanence;
+  if (parameter.name == "coercivity_kA_m")
+    return Rule::between(1e-3 * actuator::least_coercivity, 1e-3 * actuator::most_coercivity);
+  if (parameter.key.ends_with("_coefficient_pct_K"))
+    return Rule::between(-1e2 * actuator::most_coefficient, 1e2 * actuator::most_coefficient);
+  if (parameter.name == "recoil_permeability") return recoil_rule;
+  if (parameter.name == "squareness") return Rule::between(actuator::least_squareness, actuator::most_squareness);
   if (parameter.name == "gravity_m_s2") return Rule::between(0.0, actuator::most_gravity);
   if (parameter.name == "ambient_degC") return Rule::between(actuator::coldest_ambient, actuator::hottest_ambient);
   if (parameter.key.ends_with("_degC")) return Rule::above(absolute_zero).and_also(Rule::at_most(largest_number));

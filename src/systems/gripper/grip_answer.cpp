@@ -26,7 +26,7 @@ GripAnswer grip(const actuator::Design& design, const Mounting& mounting, const 
   out.heat = heat_of_hold(design, gripper, out.grasp, {.current = task.current, .supply = supply});
   out.cost = actuator::gripper_cost(actuator::cost_of(design, gripper.assembly()).total(), mounting.fingers);
   out.burns_from = thermal::current_limits(actuator::heat_network(design, gripper.assembly(), out.grasp.left)).runaway;
-  if (design.magnet.grade != nullptr) {
+  if (design.magnet.has_coercivity()) {
     const actuator::InnerFields fields(design, gripper.assembly());
     out.magnets_cold = fields.demagnetisation(std::vector<double>(design.layout.size(), cold), task.current);
     if (out.heat && out.heat->temperatures.size() > 0)

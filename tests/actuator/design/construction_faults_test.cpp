@@ -44,6 +44,13 @@ TEST(ConstructionFaults, NameEverySizeThatIsNotPositive) {
   expect([](Design& d) { d.magnet.remanence = 14.4; },
          "remanence must be at most 2 T, which no magnet reaches; got 14.4 T");
   expect([](Design& d) { d.magnet.density = -7.0; }, "magnet density must be finite and > 0; got -7 kg/m3");
+  expect([](Design& d) { d.magnet.coercivity = 875.0; }, "coercivity in kA/m must lie in 10 to 5000; got 0.875");
+  expect([](Design& d) { d.magnet.remanence_coefficient = -0.12; },
+         "remanence coefficient in %/K must lie in -2 to 2; got -12");
+  expect([](Design& d) { d.magnet.coercivity_coefficient = not_a_number; },
+         "coercivity coefficient in %/K must lie in -2 to 2; got nan");
+  expect([](Design& d) { d.magnet.recoil_permeability = 0.97; }, "recoil permeability must lie in 1 to 1.2; got 0.97");
+  expect([](Design& d) { d.magnet.squareness = 1.0; }, "squareness must lie in 0.6 to 0.99; got 1");
   expect([](Design& d) { d.body.gap = -0.3e-3; }, "gap must be from 0.05 to 1000 mm; got -0.3 mm");
   expect([](Design& d) { d.body.bottom_layer = 0.0; }, "bottom layer must be from 0.05 to 1000 mm; got 0 mm");
   expect([](Design& d) { d.body.side_wall = -1e-3; }, "side wall must be from 0.05 to 1000 mm; got -1 mm");

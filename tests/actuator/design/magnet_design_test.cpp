@@ -16,17 +16,36 @@ TEST(MagnetDesign, TakesTheNumbersOfItsGrade) {
   EXPECT_EQ(magnet.remanence, 1.35);
   EXPECT_EQ(magnet.density, 7500.0);
   EXPECT_EQ(magnet.temperature_limit, 150.0);
+  EXPECT_EQ(magnet.coercivity, 1512e3);
+  EXPECT_EQ(magnet.remanence_coefficient, -0.0012);
+  EXPECT_EQ(magnet.coercivity_coefficient, -0.0055);
+  EXPECT_EQ(magnet.recoil_permeability, 1.05);
   magnet.remanence = 1.33;  // measured
   magnet.make_of(nullptr);
   EXPECT_EQ(magnet.grade, nullptr);
   EXPECT_EQ(magnet.remanence, 1.33);
+  EXPECT_EQ(magnet.recoil_permeability, 1.0) << "it is unknown again";
+  EXPECT_FALSE(magnet.has_coercivity());
+}
+
+// Files and results stay as they are: of what a grade brings they have only what a person stated.
+TEST(MagnetDesign, IsWrittenWithWhatDiffersFromItsGrade) {
+  Design design;
+  const auto is_needed = [&design](std::string_view name) { return find_parameter(name)->needed(design); };
+  design.magnet.make_of(magnetics::find_magnet_grade("N42"));
+  for (const std::string_view name : {"coercivity_kA_m", "remanence_coefficient_pct_K", "coercivity_coefficient_pct_K",
+                                      "recoil_permeability", "squareness"})
+    EXPECT_FALSE(is_needed(name)) << name;
+  design.magnet.coercivity = 1020e3;
+  EXPECT_TRUE(is_needed("coercivity_kA_m"));
+  EXPECT_FALSE(is_needed("squareness"));
 }
 
 // 1.44 / (1 + 0.05 0.5947) = 1.3984 T: the audit's 2.125 to 2.063 N.
 TEST(MagnetDesign, GivesUpPolarisationOnlyWhereItsRecoilIsKnown) {
   MagnetDesign magnet{.radius = 10e-3, .length = 6e-3, .remanence = 1.44};
   EXPECT_EQ(magnet.polarisation(), 1.44);
-  magnet.grade = magnetics::find_magnet_grade("N52");
+  magnet.recoil_permeability = 1.05;
   EXPECT_NEAR(magnet.polarisation(), 1.3984, 5e-5);
 }
 

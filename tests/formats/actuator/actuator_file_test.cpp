@@ -161,6 +161,30 @@ TEST(ActuatorFile, RefusesWordsAndMeasurementsThatDoNotExist) {
             "a.json: /calibration/tip_com_factor: must be > 0 and <= 1000000; got 0");
 }
 
+TEST(ActuatorFile, ReadsTheSheetOfAMagnet) {
+  const std::string sheet = R"({"format": "actuator/1", "configuration": "B",
+      "magnet": {"coercivity_kA_m": 1100, "coercivity_coefficient_pct_K": -0.62, "remanence_coefficient_pct_K": -0.1,
+                 "recoil_permeability": 1.04, "squareness": 0.93, "grade": "N42"}})";
+  const actuator::MagnetDesign magnet = design_of(sheet).magnet;
+  EXPECT_EQ(magnet.remanence, 1.315) << "the grade's, wherever it stands";
+  EXPECT_DOUBLE_EQ(magnet.coercivity, 1100e3);
+  EXPECT_DOUBLE_EQ(magnet.coercivity_coefficient, -0.0062);
+  EXPECT_DOUBLE_EQ(magnet.remanence_coefficient, -0.001);
+  EXPECT_EQ(magnet.recoil_permeability, 1.04);
+  EXPECT_EQ(magnet.squareness, 0.93);
+  EXPECT_TRUE(design_of(changed(sheet, R"(, "grade": "N42")", "")).magnet.has_coercivity()) << "a sheet needs no grade";
+  EXPECT_EQ(actuator_refusal(changed(sheet, "1100", "1.1")),
+            "a.json: /magnet/coercivity_kA_m: must be from 10 to 5000; got 1.1");  // in MA/m
+  EXPECT_EQ(actuator_refusal(changed(sheet, "-0.62", "-62")),
+            "a.json: /magnet/coercivity_coefficient_pct_K: must be from -2 to 2; got -62");
+  EXPECT_EQ(actuator_refusal(changed(sheet, "-0.1,", "-10,")),
+            "a.json: /magnet/remanence_coefficient_pct_K: must be from -2 to 2; got -10");
+  EXPECT_EQ(actuator_refusal(changed(sheet, "1.04", "0.98")),
+            "a.json: /magnet/recoil_permeability: must be from 1 to 1.2; got 0.98");
+  EXPECT_EQ(actuator_refusal(changed(sheet, "0.93", "1")),
+            "a.json: /magnet/squareness: must be from 0.6 to 0.99; got 1");
+}
+
 std::string with_effects(const std::string& list) {
   return R"({"format": "actuator/1", "configuration": "B", "effects": )" + list + "}";
 }

@@ -74,6 +74,12 @@ TEST(ActuatorJson, ReadsBackAsTheSameBitsWhateverTheNumbers) {
     design.magnet.remanence = 1.4 * factor(random);                                        // up to 2 T
     design.body.poisson_ratio = 0.35 * factor(random);                                     // up to 0.5
     design.coil.current_shares = {0.7 * factor(random), -0.7 * factor(random), 1.0, 1.0};  // of two coils, up to 1
+    set("coercivity_kA_m", units::to_memory(900.0 * factor(random), "coercivity_kA_m"));
+    for (const auto& [name, percent] :
+         {std::pair("remanence_coefficient_pct_K", -0.11), {"coercivity_coefficient_pct_K", -0.6}})
+      set(name, units::to_memory(percent * factor(random), name));
+    design.magnet.recoil_permeability = 1.0 + 0.14 * factor(random);  // 1 to 1.2
+    design.magnet.squareness = 0.5 + 0.35 * factor(random);           // 0.6 to 0.99
     const actuator::Parameter& tilt = *actuator::find_parameter("base_tilt_deg");
     tilt.set(design, units::to_memory(17.0 * factor(random), tilt.key));
     expect_same_bits(read_back(design), design);
@@ -96,6 +102,22 @@ TEST(ActuatorJson, CallsTheGradeOfAMagnetByItsName) {
   design.magnet.make_of(magnetics::find_magnet_grade("N45SH"));
   design.magnet.remanence = 1.33;  // measured
   EXPECT_NE(to_json(design, "plain").text().find("\"grade\": \"N45SH\""), std::string::npos);
+  expect_same_bits(read_back(design), design);
+}
+
+// A file has of a grade its name, and beside it what a person knows better.
+TEST(ActuatorJson, StatesOfAGradeWhatIsAnother) {
+  Design design;
+  design.magnet.make_of(magnetics::find_magnet_grade("N42"));
+  const std::string plain = to_json(design, "plain").text();
+  for (const char* key : {"coercivity", "coefficient", "recoil", "squareness"})
+    EXPECT_EQ(plain.find(key), std::string::npos) << key;
+  design.magnet.coercivity = 1020e3;
+  design.magnet.squareness = 0.9;
+  const std::string stated = to_json(design, "stated").text();
+  EXPECT_NE(stated.find("\"coercivity_kA_m\": 1020"), std::string::npos);
+  EXPECT_NE(stated.find("\"squareness\": 0.9"), std::string::npos);
+  EXPECT_EQ(stated.find("coefficient"), std::string::npos);
   expect_same_bits(read_back(design), design);
 }
 

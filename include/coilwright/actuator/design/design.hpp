@@ -10,6 +10,7 @@
 #include "coilwright/actuator/model/effect.hpp"
 #include "coilwright/magnetics/cylinder_magnet.hpp"
 #include "coilwright/magnetics/hinge_torque.hpp"
+#include "coilwright/magnetics/irreversible_loss.hpp"
 #include "coilwright/magnetics/magnet_grade.hpp"
 #include "coilwright/magnetics/thick_coil.hpp"
 #include "coilwright/mechanics/silicone_grade.hpp"
@@ -52,13 +53,22 @@ struct MagnetDesign {
   double remanence = 1.44;          ///< T; N52: 1.43 to 1.48 (makers' tables)
   double density = 7500.0;          ///< kg/m^3, sintered NdFeB
   double temperature_limit = 80.0;  ///< degC; grades without a letter
-  /// The grade, a row of magnetics::magnet_grades(), or nullptr if it is unknown. Without a grade the magnet has no
-  /// recoil, does not weaken in the heat, and has no demagnetisation margin.
+  /// The grade, a row of magnetics::magnet_grades(), or nullptr if it is unknown: it names the price, and brings what
+  /// follows. Without it, and where nothing is stated, the magnet has no recoil, does not weaken in the heat, and has
+  /// no demagnetisation margin. @{
   const magnetics::MagnetGrade* grade = nullptr;
+  double coercivity = 0.0;              ///< HcJ at 20 degC, A/m; 0: unknown
+  double remanence_coefficient = 0.0;   ///< of Br, from 20 degC, 1/K; sintered NdFeB has -0.0009 to -0.0013
+  double coercivity_coefficient = 0.0;  ///< of HcJ, from 20 degC, 1/K; 0: unknown
+  double recoil_permeability = 1.0;     ///< relative, of the line on which the magnet works; 1 to 1.2
+  double squareness = magnetics::typical_squareness;  ///< of magnetics::DemagnetisationCurve; 0.6 to 0.99
+  ///@}
 
-  /// Takes over remanence (typical), density and temperature limit of a grade; nullptr changes no number. Set measured
-  /// values afterwards.
+  /// Takes over all numbers of a grade, with its typical remanence; nullptr keeps remanence, density and temperature
+  /// limit, and forgets what is unknown without a grade. Set measured values afterwards.
   void make_of(const magnetics::MagnetGrade* material);
+  /// Whether HcJ is known at every temperature, so that the magnet has a demagnetisation margin.
+  [[nodiscard]] bool has_coercivity() const noexcept { return coercivity > 0.0 && coercivity_coefficient != 0.0; }
   /// Mean polarisation in the magnet's own field at 20 degC, T: the remanence less the loss by recoil.
   [[nodiscard]] double polarisation() const;
   /// The magnet as the force formulas take it, at 20 degC.

@@ -13,7 +13,7 @@ HOT = {"operating_point": {"current_A": 1.0, "duty": 1}, "objectives": [{"maximi
        "variables": {"gap_mm": {"values": [0.9]}}}
 DRIVER = {"driver": {"kind": "h_bridge", "voltage_V": 24, "frequency_Hz": 20000}}
 OF_USE = {
-    None: ("ambient_degC", "grasp_opening_deg", "supply_voltage_V"),
+    None: ("ambient_degC", "duty", "grasp_opening_deg", "supply_voltage_V"),
     "driver": ("driver_voltage_V",),
     "gripper": ("gripper_width_mm", "gripper_height_mm", "gripper_mass_g", "gripper_friction", "gripper_centre_x_mm",
                 "gripper_centre_below_palm_mm", "gripper_acceleration_m_s2"),

@@ -42,6 +42,10 @@ class Spread(ProgramTest):
              "/spread/gap_mm/relative_uniform/0: must be above -1: a share of the designed value; got -1"),
             ({"gap_mm": {"sd": 0.3}}, "/spread/gap_mm: would make gap_mm -0.195 in one of 10,000 builds of the study's own "
              "actuator (0.9): give less, or a relative_sd"),
+            ({"squareness": {"sd": 0.02}}, "/spread/squareness: would make squareness 1.023 in one of 10,000 builds of the study's own "
+             "actuator (0.95), which has at most 0.99: give less"),
+            ({"poisson_ratio": {"relative_sd": 0.01}}, "/spread/poisson_ratio: would make poisson_ratio 0.5182 in one of 10,000 builds of "
+             "the study's own actuator (0.5), which has at most 0.5: give less"),
             ({"quadratic_drag.drag_Nmms2_rad2": {"sd": 1}},
              "/spread/quadratic_drag.drag_Nmms2_rad2: has quadratic_drag.drag_Nmms2_rad2, which is no number of an effect of the "
              "study's actuator"),
@@ -60,7 +64,7 @@ class Spread(ProgramTest):
              '/spread/correlations/0/of/1: must be one number: each part draws its own of this; got text "each_remanence_factor"'),
             *(({name: {"sd": 0.01}}, f"/spread/{name}: scatters {name}, which the study's actuator does not give, or gives as 0, so that "
                "half of all builds would have less than nothing: state it there")
-              for name in ("shore_hardness_00", "youngs_modulus_MPa")),
+              for name in ("shore_hardness_00", "youngs_modulus_MPa", "coercivity_kA_m")),
             ({"assumptions": {"as_designed": 1}}, "/spread/assumptions/as_designed: must be > 0 and < 1; got 1"),
             ({"posterior": "finger.json"}, '/spread/posterior: must name the diagnosis.json of a diagnosis; got text "finger.json"'),
             ({"posterior": "old.json"}, '/spread/posterior: must be of a diagnosis that states its numbers together: this one is of an '

@@ -18,6 +18,7 @@
 
 #include "coilwright/actuator/design/effect_number.hpp"
 #include "coilwright/actuator/design/parameters.hpp"
+#include "coilwright/formats/actuator/parameter_rule.hpp"
 #include "coilwright/sizing/study/usual_scatters.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/spelling.hpp"
@@ -170,19 +171,26 @@ void read_posterior_into(Spread& spread, const Node& node, const InputText* text
   spread.correlated.push_back(std::move(group));
 }
 
-// The value of a number that scatters, in the unit of its name, and below what no build may have it; nothing for what
+// The value of a number that scatters, in the unit of its name, and beyond what no build may have it; nothing for what
 // is no number of the study's actuator or blocks.
 struct BaseNumber {
   double value{};
   std::optional<double> above{};     // exclusive
   std::optional<double> at_least{};  // inclusive
+  std::optional<double> at_most{};   // inclusive
 };
 
 std::optional<BaseNumber> number_of(actuator::Design base, const std::vector<BlockVariable>& of_blocks,
                                     std::string_view name) {
-  if (const actuator::Parameter* parameter = actuator::find_parameter(name))
+  if (const actuator::Parameter* parameter = actuator::find_parameter(name)) {
+    const Rule rule = rule_of(*parameter);
     return BaseNumber{.value = units::from_memory(parameter->get(base), parameter->key),
-                      .above = parameter->rule == actuator::ParameterRule::any ? std::nullopt : std::optional(0.0)};
+                      .above = parameter->rule == actuator::ParameterRule::any ? std::nullopt : std::optional(0.0),
+                      .at_least = parameter->rule != actuator::ParameterRule::length && rule.lower() > 0.0
+                                      ? std::optional(rule.lower())
+                                      : std::nullopt,
+                      .at_most = rule.upper()};
+  }
   if (sizing::most_parts(name) > 0) return BaseNumber{.value = 1.0, .above = 0.0};
   if (const actuator::EffectNumber number = actuator::find_effect_number(base, name); number.value != nullptr)
     return BaseNumber{.value = units::from_memory(*number.value, number.parameter->key),
@@ -251,6 +259,13 @@ void require_suits(const Node& node, const Spread& spread, const actuator::Desig
                       "the diagnosis wrote beside it",
                       scatter.name, *scatter.measured, number->value));
     if (scatter.measured) continue;
+    const double most = scatter.deviation(1.0 - one_in_ten_thousand);
+    const double highest = scatter.relative ? number->value * (1.0 + most) : number->value + most;
+    if (number->at_most && highest > *number->at_most)
+      throw at.error_without_value(
+          fmt::format("would make {} {:.4g} in one of 10,000 builds of the study's own actuator ({:.4g}), which has at "
+                      "most {:.4g}: give less",
+                      scatter.name, highest, number->value, *number->at_most));
     if (scatter.relative && place && number->value == 0.0)
       throw at.error_without_value(fmt::format("scatters nothing: {} is 0, and so is any share of it", scatter.name));
     if (scatter.relative) continue;

@@ -109,10 +109,15 @@ void read_operation(const Node& node, const Blocks& blocks, Study& study) {
   in.finish();
 }
 
-// A voltage that is not stated has nothing to scatter about.
-void require_supply(const Node& spread, const actuator::Supply& supply) {
-  if (const auto scatter = spread.find("supply_voltage_V"); scatter && !supply.voltage)
+// A voltage that is not stated has nothing to scatter about, nor has what a crawler's cell sets anew in each build.
+void require_operation_scatters(const Node& spread, const Study& study) {
+  if (const auto scatter = spread.find("supply_voltage_V"); scatter && !study.operating.supply.voltage)
     throw scatter->error_without_value("scatters nothing: give operating_point.supply_voltage_V, the voltage meant");
+  if (!std::holds_alternative<sizing::DrivenCurrent>(study.current)) return;
+  for (const auto& [key, cause] : {std::pair("current_A", "crawler_cell_voltage_V"), std::pair("duty", "crawler_duty")})
+    if (const auto scatter = spread.find(key))
+      throw scatter->error_without_value(
+          fmt::format("scatters nothing: it is what the crawler gives; let {} scatter", cause));
 }
 
 // Shares of coils that there are, and that have drivers of their own.
@@ -204,7 +209,7 @@ Study read_study_file(const Document& document, const StudyReading& reading) {
     if (const auto search = in.find("search")) study.search = read_search(*search);
     study.base =
         changed(read_base(in.at("actuator"), reading.effects, reading.actuator), study, in.node(), reading.changes);
-    if (study.spread) require_supply(*in.find("spread"), study.operating.supply);
+    if (study.spread) require_operation_scatters(*in.find("spread"), study);
     if (study.spread) require_suits(*in.find("spread"), *study.spread, study.base, variables_of(blocks));
     for (StudyVariable& variable : study.variables)
       if (name_of(variable) == "polarity")

@@ -34,8 +34,9 @@ constexpr std::uint64_t seed_of_builds = 20260101;
 constexpr std::string_view mean_prefix = "mean_";
 constexpr std::string_view deviation_prefix = "sd_";
 constexpr std::string_view worst_prefix = "worst_";
-// Surroundings, what is held or crawled on, and the charge of what feeds the coils.
-constexpr std::array<std::string_view, 15> numbers_of_use{"ambient_degC",
+// Surroundings, how long it is on, what is held or crawled on, and the charge of what feeds the coils.
+constexpr std::array<std::string_view, 16> numbers_of_use{"ambient_degC",
+                                                          "duty",
                                                           "grasp_opening_deg",
                                                           "supply_voltage_V",
                                                           "driver_voltage_V",
@@ -97,6 +98,10 @@ constexpr std::array operating_numbers{
     OperatingNumber{.name = "current_A",
                     .get = [](const actuator::OperatingPoint& point) { return point.current; },
                     .set = [](actuator::OperatingPoint& point, double value) { point.current = value; }},
+    OperatingNumber{
+        .name = "duty",
+        .get = [](const actuator::OperatingPoint& point) { return point.duty; },
+        .set = [](actuator::OperatingPoint& point, double value) { point.duty = std::clamp(value, 0.0, 1.0); }},
     OperatingNumber{
         .name = "grasp_opening_deg",
         .get =

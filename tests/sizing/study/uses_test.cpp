@@ -126,6 +126,23 @@ TEST(Uses, AreAllMetByEachBuild) {
   EXPECT_EQ(yield.quantities[0].of_uses, 1.0);
 }
 
+// How long it is on belongs to a use: what lasts is of the longest one, and nothing is on for more than always.
+TEST(Uses, DifferInTheirDuty) {
+  constexpr double current = 0.9;
+  const auto at_duty = [](double duty) { return simulation::evaluate({}, {.current = current, .duty = duty}); };
+  const ResultQuantity& temperature = quantity("coil_hot_spot_degC");
+  for (const auto& [designed, longest] : {std::pair{0.5, 0.7}, {0.9, 1.0}}) {
+    SpreadQuantities of(
+        {.scatters = {
+             {.name = "duty", .about = UniformDeviation{.low = -0.2, .high = 0.2}, .of_use = is_of_use("duty")}}});
+    const ResultQuantity worst = of.find("p95_coil_hot_spot_degC", simulation::standard_quantities()).value();
+    const EvaluatedDesign design = at_duty(designed);
+    const EvaluatedDesign hottest = at_duty(longest);
+    // Builds have curves of 1e-4, which move a temperature by 5e-6 of itself.
+    EXPECT_NEAR(worst.value(design.view()).value(), temperature.value(hottest.view()).value(), 1e-3) << designed;
+  }
+}
+
 // Statistics of the builds of one design, by their names.
 std::vector<double> statistics(std::vector<Scatter> scatters, const std::vector<const char*>& names) {
   SpreadQuantities of({.scatters = std::move(scatters)});

@@ -15,17 +15,18 @@
 
 namespace coilwright::sizing {
 
-/// Names of the numbers that may scatter beside those of designs, effects and blocks: "current_A" and
-/// "grasp_opening_deg" of an operating point, "each_joint_stiffness_factor" and "each_remanence_factor" of single
-/// joints and magnets.
+/// Names of the numbers that may scatter beside those of designs, effects and blocks: "current_A", "duty",
+/// "grasp_opening_deg" and "supply_voltage_V" of an operating point, "each_joint_stiffness_factor" and
+/// "each_remanence_factor" of single joints and magnets.
 [[nodiscard]] std::vector<std::string> further_number_names();
 
 /// The largest number of joints or magnets that have a number of that name separately, each with a Scatter of its own;
 /// 0 for a number of the whole.
 [[nodiscard]] std::size_t most_parts(std::string_view name);
 
-/// Whether a number of that name is by default of a use: surroundings, the object or the ground, and the charge of a
-/// supply. Every finger meets all values of it, whereas each finger has its own value of a number of a part.
+/// Whether a number of that name is by default of a use: surroundings, the duty, the object or the ground, and the
+/// charge of a supply. Every finger meets all values of it, whereas each finger has its own value of a number of a
+/// part.
 [[nodiscard]] bool is_of_use(std::string_view name);
 
 /// Whether some scatter is of a use, so that builds are evaluated in more than one use each.

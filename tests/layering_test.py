@@ -53,7 +53,7 @@ ROOMS = {
     "cli/film": "cli/runs formats/data formats/film",
     "cli/page": "cli/model cli/runs results/page",
     "cli/export": "cli exports",
-    "cli/bench": "cli/search cli/model results/page",
+    "cli/bench": "cli/search cli/model results/diagnosis results/page",
     "cli/programs": "cli",
     "python": "results/diagnosis results/page report/systems formats/systems formats/film",
 }

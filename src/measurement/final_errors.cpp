@@ -21,6 +21,7 @@
 #include "measurement/records/worst_starts.hpp"
 #include "measurement/replay/input_whitener.hpp"
 #include "measurement/replay/recorded_noise.hpp"
+#include "measurement/replayed_channels.hpp"
 
 namespace coilwright::measurement {
 namespace {
@@ -28,24 +29,12 @@ namespace {
 using identification::FittedHypothesis;
 using replay::PreparedRun;
 
-using Channels = std::vector<std::vector<double>>;  // one series per channel
-
 // Values of one model on one run, over the samples that were simulated.
 struct RunPrediction {
   Channels values;
   Channels deviations;  // standard deviations due to parameter uncertainty; empty if not asked for
 };
 using Prediction = std::optional<RunPrediction>;
-
-Channels by_channel(const PreparedRun& prepared, const Eigen::VectorXd& values) {
-  const std::size_t channels = prepared.run->channels.size();
-  Channels out(channels);
-  Eigen::Index at = 0;
-  for (const replay::SampleRange& range : prepared.sample_ranges())
-    for (std::size_t c = 0; c < channels; ++c)
-      for (std::size_t i = 0; i < range.samples(); ++i) out[c].push_back(values[at++]);
-  return out;
-}
 
 // Covariance of the fitted parameters. A typical change of each is its prior standard deviation, so that the covariance
 // is finite in directions that the data do not determine.
@@ -79,17 +68,10 @@ Eigen::VectorXd deviations(const PreparedRun& prepared, const fit::Fit& fitted, 
   return out;
 }
 
-fit::FitRequest request_for(const PreparedRun& prepared, const FittedHypothesis& model) {
-  return {.hypothesis = &model.hypothesis, .runs = std::span(&prepared, 1), .start = model.fit.values};
-}
-
-Prediction prediction_from(const PreparedRun& prepared, const std::optional<fit::Fit>& found) {
-  if (!found) return std::nullopt;
-  return RunPrediction{.values = by_channel(prepared, found->runs.front().predictions), .deviations = {}};
-}
-
 Prediction predict(const PreparedRun& prepared, const FittedHypothesis& model) {
-  return prediction_from(prepared, fit::evaluate_at(request_for(prepared, model)));
+  std::optional<Channels> values = shown_of(prepared, model);
+  if (!values) return std::nullopt;
+  return RunPrediction{.values = std::move(*values), .deviations = {}};
 }
 
 Prediction predict_with_deviations(const PreparedRun& prepared, const FittedHypothesis& model,
@@ -98,11 +80,13 @@ Prediction predict_with_deviations(const PreparedRun& prepared, const FittedHypo
   PreparedRun exact = prepared;
   for (replay::Window& window : exact.windows) window.input_whitener = nullptr;
   const auto found = fit::evaluate_with_jacobian(request_for(exact, model));
-  Prediction out = prediction_from(prepared, found);
-  if (!out) return out;
-  if (replay::weighs_input_errors(std::span(&prepared, 1))) out = predict(prepared, model);
-  if (out) out->deviations = by_channel(prepared, deviations(prepared, *found, covariance));
-  return out;
+  if (!found) return std::nullopt;
+  std::optional<Channels> values = replay::weighs_input_errors(std::span(&prepared, 1))
+                                       ? shown_of(prepared, model)
+                                       : by_channel(prepared, found->runs.front().predictions);
+  if (!values) return std::nullopt;
+  return RunPrediction{.values = std::move(*values),
+                       .deviations = by_channel(prepared, deviations(prepared, *found, covariance))};
 }
 
 // Outliers pull at the run's clock and hum, and hide themselves among what these then leave: as long as some are found,
@@ -144,18 +128,6 @@ data::ChannelKind error_kind(data::ChannelKind kind) {
   return kind == data::ChannelKind::bending_angle ? data::ChannelKind::joint_angle : kind;
 }
 
-std::vector<double> abscissa(const PreparedRun& prepared) {
-  const data::Run& run = *prepared.run;
-  if (!run.times.empty()) {
-    const std::size_t last = prepared.windows.empty() ? run.samples() : prepared.windows.back().range.last;
-    return {run.times.begin(), run.times.begin() + static_cast<std::ptrdiff_t>(last)};
-  }
-  if (!run.angles.empty()) return run.angles;
-  std::vector<double> out;
-  for (const auto& row : run.inputs) out.push_back(row.front());
-  return out;
-}
-
 }  // namespace
 
 void FinalErrors::require_fits_model(const data::SealedRuns& runs, const replay::DeclaredModel& declared,
@@ -172,23 +144,30 @@ std::vector<data::Warning> FinalErrors::unanswered_runs(const data::SealedRuns& 
   return records::unanswered_runs(runs.runs_, declared);
 }
 
+std::vector<PreparedRun> FinalErrors::prepared(const data::SealedRuns& runs, const replay::DeclaredModel& declared,
+                                               const actuator::Model& nominal, const FittedHypothesis& after,
+                                               std::span<const data::Run> still,
+                                               const replay::SimulationCount& simulations) {
+  std::vector<PreparedRun> out;
+  for (const data::Run& run : runs.runs_) {
+    PreparedRun& prepared = out.emplace_back(replay::prepare_run(run, declared, nominal));
+    replay::give_recorded_noise(prepared, still, {}, nominal);
+    prepared.simulations = simulations;
+    prepared.model_error = after.fit.model_error;
+    const std::span<PreparedRun> alone(&prepared, 1);
+    fit::weigh_input_errors(alone, after.hypothesis, after.fit.values, nullptr);
+    set_outliers_of_run_aside(prepared, after);
+    if (!replay::weighs_input_errors(alone)) continue;
+    const auto found = fit::evaluate_at(request_for(prepared, after));
+    if (found) fit::weigh_input_errors(alone, after.hypothesis, after.fit.values, &*found);
+  }
+  return out;
+}
+
 FinalErrors::FinalErrors(const data::SealedRuns& runs, const replay::DeclaredModel& declared, const ThreeModels& models,
                          std::span<const data::Run> still, const replay::SimulationCount& simulations) {
   const actuator::Model nominal = models.before.hypothesis.model_at(models.before.fit.values);
-  std::vector<PreparedRun> prepared_runs;
-  for (const data::Run& run : runs.runs_) {
-    PreparedRun& prepared = prepared_runs.emplace_back(replay::prepare_run(run, declared, nominal));
-    replay::give_recorded_noise(prepared, still, {}, nominal);
-    prepared.simulations = simulations;
-    prepared.model_error = models.after.fit.model_error;
-    const std::span<PreparedRun> alone(&prepared, 1);
-    fit::weigh_input_errors(alone, models.after.hypothesis, models.after.fit.values, nullptr);
-    set_outliers_of_run_aside(prepared, models.after);
-    if (!replay::weighs_input_errors(alone)) continue;
-    const auto found = fit::evaluate_at(request_for(prepared, models.after));
-    if (found) fit::weigh_input_errors(alone, models.after.hypothesis, models.after.fit.values, &*found);
-  }
-  take(std::move(prepared_runs), models, true);
+  take(prepared(runs, declared, nominal, models.after, still, simulations), models, true);
 }
 
 FinalErrors::FinalErrors(std::vector<PreparedRun> runs, const ThreeModels& models) {
@@ -229,25 +208,14 @@ void FinalErrors::take(std::vector<PreparedRun> prepared_runs, const ThreeModels
       continue;
     }
     if (records::is_worst_at_start(prepared, after->values)) worst.push_back(prepared.run->name);
-    const std::vector<double> at = abscissa(prepared);
     const Channels noise = noise_left_in(prepared);
     for (std::size_t c = 0; c < prepared.run->channels.size(); ++c) {
-      const data::Channel& channel = prepared.run->channels[c];
-      Replay replay{
-          .run = prepared.run->name,
-          .validate = validate,
-          .kind = channel.kind,
-          .channel = channel.name,
-          .at = at,
-          .measured = {channel.values.begin(), channel.values.begin() + static_cast<std::ptrdiff_t>(at.size())},
-          .declared = as_declared->values[c],
-          .before = before->values[c],
-          .after = after->values[c],
-          .corrected = corrected ? corrected->values[c] : std::vector<double>{}};
-      if (c < prepared.set_aside.size() && !prepared.set_aside[c].empty())
-        replay.left_out.assign(prepared.set_aside[c].begin(),
-                               prepared.set_aside[c].begin() + static_cast<std::ptrdiff_t>(at.size()));
-      const data::ChannelKind kind = error_kind(channel.kind);
+      Replay replay = measured_channel(prepared, c, validate);
+      replay.declared = as_declared->values[c];
+      replay.before = before->values[c];
+      replay.after = after->values[c];
+      if (corrected) replay.corrected = corrected->values[c];
+      const data::ChannelKind kind = error_kind(replay.kind);
       auto found = std::ranges::find(order, kind);
       if (found == order.end()) {
         order.push_back(kind);

@@ -32,6 +32,16 @@ class FinalErrors {
   /// What records::unanswered_runs() says of other runs.
   [[nodiscard]] static std::vector<data::Warning> unanswered_runs(const data::SealedRuns& runs,
                                                                   const replay::DeclaredModel& declared);
+  /// Sealed runs as finished models take them: with the noise of `still`, errors of their inputs, and outliers set
+  /// aside as `after` shows them, whose model error their local numbers are weighed by. They refer to the sealed runs;
+  /// only what shows finished models may ask. Throws std::invalid_argument naming the run if one does not fit the
+  /// model.
+  [[nodiscard]] static std::vector<replay::PreparedRun> prepared(const data::SealedRuns& runs,
+                                                                 const replay::DeclaredModel& declared,
+                                                                 const actuator::Model& nominal,
+                                                                 const identification::FittedHypothesis& after,
+                                                                 std::span<const data::Run> still,
+                                                                 const replay::SimulationCount& simulations = {});
   /// Errors on the validate runs. Throws std::invalid_argument naming the run if one does not fit the model. A run on
   /// which one of the models cannot be simulated is left out with a warning, and outliers are left out, too. The
   /// clocks, edges and hum of each run are fitted to it for each model, their priors weighed by the model error of the

@@ -54,6 +54,11 @@ bool is_sealed(std::string_view text) {
   return at != std::string_view::npos && sealed(text.substr(0, at)) == text;
 }
 
+text::Node required_member(const text::Node& object, std::string_view key) {
+  if (const auto found = object.find(key)) return *found;
+  throw object.error_without_value(fmt::format("must have \"{}\" (docs/formats.md)", key));
+}
+
 }  // namespace
 
 InputRecord record_of(const text::InputText& input) {
@@ -90,6 +95,23 @@ std::optional<Question> question_in(const std::filesystem::path& folder) {
   if (!question || !seed) return std::nullopt;
   Question out{.sha256 = question->text()};
   if (!seed->is_null()) out.seed = seed->integer<std::uint64_t>();
+  return out;
+}
+
+std::optional<InputsBehind> inputs_behind(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / provenance_name;
+  std::error_code none;
+  if (!is_regular_file(file, none)) return std::nullopt;
+  const text::Document document = text::read_json(file);
+  InputsBehind out;
+  for (const text::Node& input : required_member(document.root(), "inputs").elements(text::Length::at_least(1))) {
+    const std::filesystem::path named = out.files.emplace_back(required_member(input, "file").text());
+    const std::string& digest = required_member(input, "sha256").text();
+    if (out.changed.empty() && (!is_regular_file(named, none) || record_of(named).sha256 != digest))
+      out.changed = named.string();
+  }
+  for (const text::Node& change : required_member(document.root(), "set").elements())
+    out.changes.push_back(change.text());
   return out;
 }
 

@@ -6,6 +6,7 @@ import http.client
 import json
 import os
 import pathlib
+import shutil
 import signal
 import socket
 import subprocess
@@ -301,6 +302,75 @@ class BenchTest(ProgramTest):
         done = run("bench", self.folder / "front", "--no-browser")
         self.assertEqual(done.returncode, 2)
         self.assertRegex(done.stderr, r"^coilwright: \S*front\.csv: is not there, or not as the run of this folder wrote it[^\n]*\n$")
+
+    def test_opens_a_diagnosis_on_what_was_measured(self):
+        data, found = self.folder / "data", self.folder / "found"
+        shutil.copytree(CONFIGS.parent / "studies" / "undeclared_effect" / "data", data)
+        done = run("diagnose", data, "--actuator", PAPER_FINGER, "--out", found, "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        told = self.result("found/diagnosis.json")
+        rows = self.table("found/residuals.csv")
+        with Server(found) as server:
+            about = server.json("api/bench")["further"]["diagnosis"]
+            self.assertEqual(about["verdict"], told["summary"]["verdict"])
+            drag = "quadratic_drag.drag_Nmms2_rad2"
+            number = told["effects"][0]["parameters"]["drag_Nmms2_rad2"]
+            self.assertEqual(about["intervals"], {drag: number["ci95"]})
+            for each in server.json("api/errors", {"page": "one", "changes": []}):
+                stated = told["error"][each["role"]]
+                self.assertEqual([each["quantity"], each["unit"], each["samples"]], [stated["quantity"], "deg", stated["samples"]])
+                # Sums of the same squares, in another order; the corrected design went through a file, which rounds.
+                self.assertAlmostEqual(each["declared"] / stated["declared"]["rmse_deg"], 1, delta=1e-12)
+                self.assertAlmostEqual(each["corrected"] / stated["after"]["rmse_deg"], 1, delta=1e-9)
+                self.assertEqual(each["turned"], each["corrected"])
+
+            names = [each["run"] for each in about["channels"]]
+            self.assertEqual(sorted(names), sorted({row["run"] for row in rows}))
+            for name in ("step_1.4A.csv", "sine_4Hz.csv", "hold_1.3A.csv"):
+                shown = server.json("api/record", {"page": "one", "changes": [], "channel": names.index(name)})
+                own = [row for row in rows if row["run"] == name]
+                drawn = own[::shown["every"]]
+                self.assertLessEqual(len(drawn), 2000)
+                for key, column in (("at", "time_s"), ("measured", "measured"), ("declared", "declared")):
+                    self.assertEqual(shown[key], [float(row[column]) for row in drawn], (name, key))
+                for one, other in zip(shown["corrected"], drawn, strict=True):
+                    self.assertAlmostEqual(one, float(other["after"]), delta=1e-7)  # deg
+                squares = [(float(row["measured"]) - float(row["after"])) ** 2 for row in own]
+                self.assertAlmostEqual(shown["rmse"]["corrected"], (sum(squares) / len(squares)) ** 0.5, delta=1e-9)
+
+            # A number of the effect moves the prediction to that of simulate, which takes other steps.
+            question = {"page": "one", "changes": [f"{drag}=0.03"], "channel": names.index("step_1.4A.csv")}
+            turned = server.json("api/record", question)
+            self.assertGreater(turned["rmse"]["turned"], 1.5 * turned["rmse"]["corrected"])
+            self.assertEqual(turned["corrected"], server.json("api/record", {**question, "changes": []})["turned"])
+            for changes in (question["changes"], ["configuration=C", "gap_mm=1.1"]):
+                turned = server.json("api/record", {**question, "changes": changes})
+                self.write("turned.json", server.ask("api/actuator", {"changes": changes})[2])
+                done = run("simulate", "turned.json", "--input", data / "step_1.4A.csv", "--out", "motion.csv", "--force", cwd=self.folder)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                motion = {float(row["time_s"]): float(row["bending_angle_deg"]) for row in self.table("motion.csv")}
+                for time_s, angle in zip(turned["at"], turned["turned"], strict=True):
+                    self.assertAlmostEqual(angle, motion[time_s], delta=1e-3)  # deg
+            for channel in (len(names), -1):
+                self.assertEqual(server.status("api/record", {**question, "channel": channel}), 422)
+
+        # What it is of must be there as it was.
+        def refused(words):
+            done = run("bench", found, "--no-browser")
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertEqual(done.stderr.removeprefix(f"coilwright: {found}: cannot be opened: "), words + "\n")
+        again = ", which this diagnosis is of, is not there as it was; run diagnose again"
+        record = data / "sine_4Hz.csv"
+        before = record.read_text()
+        record.write_text(before + "\n")
+        refused(str(record) + again)
+        record.write_text(before)
+        (data / "dataset.json").rename(data / "other.json")
+        refused(str(data / "dataset.json") + again)
+        (found / "provenance.json").unlink()
+        done = run("bench", found, "--no-browser")
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr, f"coilwright: {found}: cannot be opened: it has no provenance.json that names its data set\n")
 
 
 if __name__ == "__main__":

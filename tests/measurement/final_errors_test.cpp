@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "coilwright/measurement/replayed_runs.hpp"
 #include "measurement/random_numbers.hpp"
 #include "measurement/slider_model.hpp"
 
@@ -135,6 +136,28 @@ TEST(FinalErrors, OfFitRunsLeaveOutWhatTheFitsDid) {
   EXPECT_FALSE(errors.outliers().front().validate);
   EXPECT_EQ(errors.outliers().front().times, std::vector{run.times[40]});
   EXPECT_EQ(errors.errors().front().samples, 99U);
+}
+
+// A model is shown in the runs of a set as the errors of a diagnosis have it, with hum and outliers.
+TEST(ReplayedRuns, ShowModelsAsTheErrorsOfADiagnosisDo) {
+  const replay::DeclaredModel declared = slide(2.2, 2.7);
+  identification::FittedHypothesis model = fitted_to(declared, slide_run(400, {}, no_error));
+  model.fit.values = model.hypothesis.start();
+  const HummingRun made = humming_run(120, {{20, 600.0}, {45, 150.0}, {60, 560.0}});
+  const FinalErrors errors(data::SealedRuns({made.run}), declared, same_models(model), std::vector{made.still});
+  const Replay& expected = errors.replays().front();
+  const ReplayedRuns runs(
+      {.fit = {slide_run(100, {}, no_error)}, .validate = data::SealedRuns({made.run}), .still = {made.still}},
+      declared, {.model_error = 1.0, .outliers = errors.outliers()});
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_FALSE(runs.channels(0).front().validate);
+  const Replay& measured = runs.channels(1).front();
+  EXPECT_TRUE(measured.validate);
+  EXPECT_EQ(measured.at, expected.at);
+  EXPECT_EQ(measured.measured, expected.measured);
+  EXPECT_EQ(measured.left_out, expected.left_out);
+  EXPECT_EQ(runs.shown_of(1, declared)->front(), expected.before);
+  EXPECT_NE(runs.shown_of(1, slide(true_mass, true_damping))->front(), expected.before);
 }
 
 }  // namespace

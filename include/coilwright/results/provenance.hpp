@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,15 @@ struct Question {
 };
 /// Reads the question of a folder; absent if it has no such file. Throws InputError if it cannot be read.
 [[nodiscard]] std::optional<Question> question_in(const std::filesystem::path& folder);
+
+/// What the results of a folder were computed from, by its provenance.json.
+struct InputsBehind {
+  std::vector<std::string> files{};    ///< as they were given, in the order in which the command names them; >= 1
+  std::vector<std::string> changes{};  ///< each --set
+  std::string changed{};               ///< the first file that is not there as it was; empty: all are
+};
+/// Reads them, and looks for the files. Absent if the folder has no provenance.json. Throws InputError if it is none.
+[[nodiscard]] std::optional<InputsBehind> inputs_behind(const std::filesystem::path& folder);
 
 /// Why the results of a folder cannot be checked: it has no provenance.json, or one without digests. Empty if it has
 /// them.

@@ -83,12 +83,15 @@ Json poses_of(const EvaluatedDesign& design, const std::optional<simulation::Ste
 Question read_question(const Bench& bench, const std::string& body) {
   const text::Document document = text::parse_json(body, "question");
   return text::read_object(document.root(), [&](text::ObjectReader& in) {
-    Question out{.page = in.text_or("page", ""), .design = turned(bench, [&] {
-                                                   std::vector<std::string> changes;
-                                                   for (const text::Node& each : in.elements("changes"))
-                                                     changes.push_back(each.text());
-                                                   return changes;
-                                                 }())};
+    Question out{.page = in.text_or("page", ""),
+                 .design = turned(bench,
+                                  [&] {
+                                    std::vector<std::string> changes;
+                                    for (const text::Node& each : in.elements("changes"))
+                                      changes.push_back(each.text());
+                                    return changes;
+                                  }()),
+                 .channel = in.integer_or<std::size_t>("channel", 0, text::non_negative)};
     if (const auto study = in.find("study"))
       out.study = text::read_object(*study, [](text::ObjectReader& parts) {
         Json kept = Json::object();

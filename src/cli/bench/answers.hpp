@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "cli/bench/bench.hpp"
@@ -10,10 +11,12 @@
 
 namespace coilwright::cli {
 
-/// A question of the page: {"page", "changes": ["gap_mm=1.2"], "study": {"variables", "objectives", "constraints"}}.
+/// A question of the page: {"page", "changes": ["gap_mm=1.2"], "channel", "study": {"variables", "objectives",
+/// "constraints"}}.
 struct Question {
   std::string page{};                       ///< the page that asks, of its own choice
   Turned design;                            ///< the bench's with the changes made
+  std::size_t channel{};                    ///< that of a record of the diagnosis
   text::Json study = text::Json::object();  ///< those members of a study/1
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,11 +15,15 @@
 
 namespace coilwright::cli {
 
+/// The runs behind a diagnosis, with what its declared and its corrected model show of them (cli/bench/diagnosis.hpp).
+struct OpenedDiagnosis;
+
 /// What the command line named, read once: the design that the bench starts from, and what else the page shows.
 struct Bench {
-  std::string shown;                          ///< as it was named
-  formats::ActuatorFile file{};               ///< a design, with the operating point to start from
-  text::Json further = text::Json::object();  ///< for the page: "study", "designs"
+  std::string shown;                                   ///< as it was named
+  formats::ActuatorFile file{};                        ///< a design, with the operating point to start from
+  text::Json further = text::Json::object();           ///< for the page: "study", "designs", "diagnosis"
+  std::shared_ptr<const OpenedDiagnosis> diagnosis{};  ///< null if it is of none
 };
 
 /// Reads an actuator's file, or the folder of a size, pareto, sweep or diagnose. Throws InputError, also for a lumped

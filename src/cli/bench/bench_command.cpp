@@ -20,6 +20,7 @@
 
 #include "cli/bench/answers.hpp"
 #include "cli/bench/commands.hpp"
+#include "cli/bench/diagnosis.hpp"
 #include "cli/bench/server.hpp"
 #include "cli/options.hpp"
 #include "cli/packed_files.hpp"
@@ -150,6 +151,14 @@ std::vector<Route> routes(const Bench& bench, NewestFirst& newest, LongWork& wor
     const NewestFirst::Turn turn(newest, question.page);
     return json_reply(curves_of(bench, question.design, turn));
   });
+  post("api/record", [&](const Question& question) {
+    const NewestFirst::Turn turn(newest, question.page);
+    return json_reply(record_of(bench, question.design, question.channel));
+  });
+  post("api/errors", [&](const Question& question) {
+    const NewestFirst::Turn turn(newest, question.page);
+    return json_reply(errors_of(bench, question.design, turn));
+  });
   post("api/actuator", [&](const Question& question) { return Reply{.text = actuator_text(bench, question.design)}; });
   post("api/study", [&](const Question& question) { return Reply{.text = study_text(bench, question, 2000, false)}; });
   post("api/report", [&](const Question& question) {
@@ -191,7 +200,7 @@ void add_bench_command(CLI::App& app, Outcome&) {
   CLI::App* command = add_command(app, "bench");
   command
       ->add_option("ACTUATOR.json", options->named,
-                   "File of a design (actuator/1), or a folder that size, pareto or sweep has written")
+                   "File of a design (actuator/1), or a folder that size, pareto, sweep or diagnose has written")
       ->required();
   add_number(*command, "--current-A", options->current, text::Rule::between(-1e6, 1e6),
              "Current in every coil to start from, A. Default: that of the operating_point of ACTUATOR.json, or what\n"

@@ -9,6 +9,7 @@
 
 #include "cli/actuator_input.hpp"
 #include "cli/bench/bench.hpp"
+#include "cli/bench/diagnosis.hpp"
 #include "coilwright/actuator/design/current_limit.hpp"
 #include "coilwright/results/page/page_file.hpp"
 #include "coilwright/results/provenance.hpp"
@@ -102,8 +103,9 @@ void open_folder(Bench& bench, const std::filesystem::path& folder) {
                             .rule = "must be an actuator's file, or a folder that size, pareto, sweep or diagnose "
                                     "has written"});
   results::require_as_written(folder, {});
-  const results::StudyBehind study =
-      has(folder, results::provenance_name) ? results::study_behind(folder) : results::StudyBehind{};
+  const results::StudyBehind study = has(folder, results::provenance_name) && !has_diagnosis(folder)
+                                         ? results::study_behind(folder)
+                                         : results::StudyBehind{};
   if (study.study) bench.further.set("study", study_json(*study.study));
   if (table == tables.end()) {
     bench.file = read_actuator({.file = (folder / actuator_name).string(), .assignments = {}});
@@ -140,6 +142,10 @@ Bench open_bench(const std::string& named, std::optional<double> current) {
   bench.file.operating_point =
       formats::operating_point_of(bench.file, {.current = current}, named, "give a current with --current-A");
   (void)evaluated(bench, turned(bench, {}));
+  if (has_diagnosis(named)) {
+    bench.diagnosis = open_diagnosis(named, std::get<actuator::Design>(bench.file.content));
+    bench.further.set("diagnosis", diagnosis_json(named, *bench.diagnosis));
+  }
   return bench;
 }
 

@@ -23,12 +23,6 @@ using measurement::data::ChannelKind;
 using measurement::planning::ExpectedReading;
 using measurement::planning::NextExperiment;
 
-// The column that holds the place of a sample.
-std::string_view axis_of(ChannelKind kind) {
-  if (kind == ChannelKind::torque) return "angle_deg";
-  return kind == ChannelKind::force ? "current_A" : "time_s";
-}
-
 CsvCell cell(double value, std::string_view column) {
   return units::from_si(value, units::difference_unit(column)) + 0.0;  // no -0
 }
@@ -75,6 +69,11 @@ std::vector<std::string> names_of(const std::vector<std::vector<std::string>>& e
 }
 
 }  // namespace
+
+std::string_view axis_of(ChannelKind kind) {
+  if (kind == ChannelKind::torque) return "angle_deg";
+  return kind == ChannelKind::force ? "current_A" : "time_s";
+}
 
 void write_residuals(std::ostream& out, std::span<const Replay> replays) {
   for (const Replay& replay : replays) check(replay);

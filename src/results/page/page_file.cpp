@@ -14,7 +14,6 @@
 #include "coilwright/results/provenance.hpp"
 #include "coilwright/results/sha256.hpp"
 #include "coilwright/text/input_error.hpp"
-#include "coilwright/text/json/document.hpp"
 
 namespace coilwright::results {
 namespace {
@@ -31,39 +30,20 @@ std::vector<page::Script> scripts() {
   return out;
 }
 
-text::Node required_member(const text::Node& object, std::string_view key) {
-  if (const auto found = object.find(key)) return *found;
-  throw object.error_without_value(fmt::format("must have \"{}\" (docs/formats.md)", key));
-}
-
-// Whether the file still is what went into a result.
-bool is_unchanged(const text::Node& input, std::string& file) {
-  file = required_member(input, "file").text();
-  std::error_code none;
-  if (!std::filesystem::is_regular_file(file, none)) return false;
-  return record_of(std::filesystem::path(file)).sha256 == required_member(input, "sha256").text();
-}
-
 }  // namespace
 
 StudyBehind study_behind(const std::filesystem::path& folder) {
-  const std::filesystem::path provenance = folder / provenance_name;
-  if (!std::filesystem::is_regular_file(provenance))
-    return {.why = fmt::format("the folder has no {}, which names the study.", provenance_name)};
-  const text::Document document = text::read_json(provenance);
-  std::vector<std::string> files;
-  for (const text::Node& input : required_member(document.root(), "inputs").elements(text::Length::at_least(1))) {
-    if (is_unchanged(input, files.emplace_back())) continue;
+  const std::optional<InputsBehind> inputs = inputs_behind(folder);
+  if (!inputs) return {.why = fmt::format("the folder has no {}, which names the study.", provenance_name)};
+  if (!inputs->changed.empty())
     return {.why = fmt::format(
                 "{}, which these results are of, is not there as it was; make the page where the search was run.",
-                files.back())};
-  }
-  std::vector<std::string> changes;
-  for (const text::Node& change : required_member(document.root(), "set").elements()) changes.push_back(change.text());
+                inputs->changed)};
   try {
-    return {.study = formats::read_study(files.at(0), {.changes = changes})};
+    return {.study = formats::read_study(inputs->files.front(), {.changes = inputs->changes})};
   } catch (const text::InputError& why) {
-    return {.why = fmt::format("the study that {} names cannot be read: {}.", provenance.string(), why.what())};
+    return {.why = fmt::format("the study that {} names cannot be read: {}.", (folder / provenance_name).string(),
+                               why.what())};
   }
 }
 

@@ -1,13 +1,13 @@
-// The page of `coilwright bench` in a real browser: node bench_test.mjs PROGRAM FINGER.json FRONT [PICTURE.png], where
-// FRONT is a folder of pareto. The picture is that of the README. Prints how long after a movement its answer is drawn.
+// The page of `coilwright bench` in a real browser: node bench_test.mjs PROGRAM FINGER.json FRONT DIAGNOSIS
+// [PICTURE.png], with folders of pareto and of diagnose (of init dataset). The picture is that of the README. Prints how long after a movement its answer is drawn.
 import {execFileSync, spawn} from 'node:child_process';
 import {createInterface} from 'node:readline';
-import {mkdtempSync, rmSync} from 'node:fs';
+import {mkdtempSync, readFileSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {assert, launch} from './session.mjs';
 
-const [program, finger, front, picture] = process.argv.slice(2);
+const [program, finger, front, diagnosis, picture] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), 'bench-'));
 const children = [];
 const serve = async (...words) => {
@@ -165,6 +165,59 @@ try {
   assert.deepEqual(designs.complaints, []);
   await designs.close();
   await results.end();
+
+  // Of a diagnosis: the numbers of its effect move the prediction and its errors, and All back returns to what it found.
+  const diagnosed = await serve(diagnosis);
+  const replayed = await open(browser, diagnosed.address);
+  const sheet = replayed.page;
+  const errorsAre = (how) => sheet.waitForFunction((word) => {
+    const {record, errors} = globalThis.bench;
+    const found = [record?.rmse, ...errors ?? []].map((each) => each && each.turned !== undefined && (each.turned === each.corrected ? 'corrected' : each.turned > each.corrected ? 'worse' : 'better'));
+    return found.length > 2 && found.every((each) => each === word);
+  }, how, {timeout: 60000});
+  await errorsAre('corrected');
+  const stated = JSON.parse(readFileSync(join(diagnosis, 'diagnosis.json'), 'utf8'));
+  const [effect] = stated.effects;
+  const [key] = Object.keys(effect.parameters);
+  const knob = sheet.locator('.knob', {has: sheet.locator(`[id="knob-${effect.id}.${key}"]`)});
+  const interval = effect.parameters[key].ci95.map((each) => String(Number(each.toPrecision(5))));
+  assert.equal(await knob.locator('.surely').textContent(), `95 %: ${interval.join(' to ')}`);
+  const placed = await knob.evaluate((row) => {
+    const slider = row.querySelector('input[type="range"]'), mark = row.querySelector('.interval rect');
+    const share = (Number(slider.value) - Number(slider.min)) / (Number(slider.max) - Number(slider.min));
+    return [Number(mark.getAttribute('x')), 100 * share, Number(mark.getAttribute('x')) + Number(mark.getAttribute('width'))];
+  });
+  assert.ok(placed[0] <= placed[1] && placed[1] <= placed[2] && placed[2] - placed[0] < 50, placed.join());
+  await knob.locator('input[type="range"]').focus();
+  for (let i = 0; i < 30; ++i) await sheet.keyboard.press('ArrowRight');
+  await errorsAre('worse');
+  const worst = await sheet.evaluate(() => Number(globalThis.bench.record.rmse.turned.toPrecision(5)));
+  assert.equal(Number(await sheet.locator('#errors [data-model="turned"]').first().textContent()), worst);
+  assert.equal(await sheet.locator('#plot-record path.measured, #plot-record path.now').count(), 4);  // each with its key
+  await sheet.selectOption('#channel', {index: 1});
+  await sheet.waitForFunction(() => globalThis.bench.record.rmse.turned !== undefined && document.querySelector('#plot-record svg').getAttribute('aria-label').length > 0);
+  await sheet.click('#reset');
+  await errorsAre('corrected');
+  const moved = await sheet.evaluate(async (name) => {
+    const out = [];
+    for (let i = 1; i <= 15; ++i) {
+      const count = globalThis.bench.recordMilliseconds.length;
+      globalThis.bench.set(name, globalThis.bench.answer.values[name] * 1.01);
+      while (globalThis.bench.recordMilliseconds.length === count) await new Promise((done) => setTimeout(done, 2));
+      out.push(globalThis.bench.recordMilliseconds.at(-1));
+    }
+    return out;
+  }, `${effect.id}.${key}`);
+  console.log(`diagnosis: the run drawn ${median(moved).toFixed(0)} ms after a movement (median of 15)`);
+  assert.deepEqual(replayed.complaints, []);
+  await replayed.close();
+  for (const [width, colorScheme] of [[1440, 'dark'], [390, 'light']]) {
+    const small = await open(browser, diagnosed.address, {viewport: {width, height: 900}, colorScheme});
+    assert.ok(await small.page.evaluate(() => document.documentElement.scrollWidth) <= width, `${width} px`);
+    assert.deepEqual(small.complaints, []);
+    await small.close();
+  }
+  await diagnosed.end();
 } finally {
   await browser.close();
   for (const child of children) child.kill('SIGKILL');

@@ -112,7 +112,7 @@ def main():
                              ("three_test.mjs", "three"), ("many_test.mjs", "many"), ("diagnosis_test.mjs", "diagnose")):
             subprocess.run([node, FOLDER / script, folder / page / "report.html", PROGRAM], env=environment, check=True,
                            timeout=300)
-        subprocess.run([node, FOLDER / "bench_test.mjs", PROGRAM, finger, folder / "pareto", *sys.argv[1:2]], env=environment,
+        subprocess.run([node, FOLDER / "bench_test.mjs", PROGRAM, finger, folder / "pareto", folder / "diagnose", *sys.argv[1:2]], env=environment,
                        check=True, timeout=300)
         for page in ("sweep/report.html", "evaluate.html", "validate.html"):
             subprocess.run([node, FOLDER / "plain_test.mjs", folder / page], env=environment, check=True, timeout=300)

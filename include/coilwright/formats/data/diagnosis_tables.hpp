@@ -2,11 +2,15 @@
 
 #include <iosfwd>
 #include <span>
+#include <string_view>
 
 #include "coilwright/measurement/diagnosis.hpp"
 #include "coilwright/measurement/planning/next_experiment.hpp"
 
 namespace coilwright::formats {
+
+/// The column that holds the place of a sample of a channel: "time_s", "angle_deg" or "current_A".
+[[nodiscard]] std::string_view axis_of(measurement::data::ChannelKind kind);
 
 /// Writes residuals.csv: a row for each sample of every channel, with the measured value and those of the three models,
 /// in the unit at the end of the channel's name. The columns are `run, role, channel`, the place on the run's axis

@@ -136,6 +136,10 @@
     while (shown !== wanted) {
       const mine = wanted, when = moved;
       try {
+        if (about.further.diagnosis) {
+          drawRecord(await ask('api/record', {changes: listed(), channel: Number(at('channel').value)}));
+          bench.recordMilliseconds.push(performance.now() - when);
+        }
         answer = await ask('api/evaluate', {changes: listed()});
         start ??= answer;
         at('refused').hidden = true;
@@ -161,6 +165,7 @@
     at('plot-angle').classList.add('stale');
     at('plot-force').classList.add('stale');
     try {
+      if (about.further.diagnosis) drawErrors(await ask('api/errors', {changes: listed()}, {signal: rest.signal}));
       curves = await ask('api/curves', {changes: listed()}, {signal: rest.signal});
     } catch { return; }
     startCurves ??= Object.keys(state.changes).length === 0 ? curves : undefined;
@@ -177,6 +182,7 @@
     if (most - least <= 10 * Math.max(Math.abs(value), 0.1)) return [least, most];
     let ends = value === 0 ? [0, 10] : [value / 2, 2 * value].sort((a, b) => a - b);
     if (one.name === 'current_A') ends = [0, nice(Math.max(2 * value, 1.5 * start.evaluation.current_limit_A))];
+    ends = [Math.min(ends[0], one.interval?.[0] ?? ends[0]), Math.max(ends[1], one.interval?.[1] ?? ends[1])];
     const step = one.whole ? 1 : nice((ends[1] - ends[0]) / 150);
     return [Math.max(least, one.whole ? Math.floor(ends[0]) : round(ends[0], step)), Math.min(most, one.whole ? Math.ceil(ends[1]) : round(ends[1], step))];
   };
@@ -194,7 +200,8 @@
     row.innerHTML = `<input type="checkbox" class="vary" title="vary in a search" aria-label="vary ${escape(one.name)} in a search">
       <label for="${id}">${name}</label>${field}<button type="button" class="back" title="back to where it started" aria-label="${escape(one.name)} back to where it started">↺</button>
       ${one.words ? '' : `<div class="slide"><input type="number" step="any" class="low" aria-label="lower end of ${escape(one.name)}">
-      <input type="range" aria-label="${escape(one.name)}"><input type="number" step="any" class="high" aria-label="upper end of ${escape(one.name)}"></div>`}
+      <input type="range" aria-label="${escape(one.name)}"><input type="number" step="any" class="high" aria-label="upper end of ${escape(one.name)}">${one.interval ? '<svg class="interval" viewBox="0 0 100 1" preserveAspectRatio="none" aria-hidden="true"><rect height="1"/></svg>' : ''}</div>`}
+      ${one.interval ? `<p class="surely">95 %: ${one.interval.map((end) => end === null ? 'open' : short(end)).join(' to ')}</p>` : ''}
       <p class="help" id="${id}-help">${escape(one.meaning)}${one.range ? ` Allowed: ${escape(one.range)}.` : ''} <span class="was"></span></p>`;
     const find = (selector) => row.querySelector(selector);
     one.row = row;
@@ -229,7 +236,8 @@
   };
   const makeKnobs = () => {
     const order = ['operating point', 'surroundings', 'row', 'coil', 'magnet', 'body'];
-    const groups = [...new Set([...order, ...about.knobs.map((each) => each.group)])];
+    const all = about.knobs.map((each) => each.group);
+    const groups = [...new Set([...about.further.diagnosis ? all.filter((each) => each.startsWith('effect')) : [], ...order, ...all])];
     for (const group of groups) {
       const those = about.knobs.filter((each) => each.group === group);
       if (!those.length) continue;
@@ -239,6 +247,7 @@
       for (const one of those) {
         knobs.set(one.name, one);
         one.given = about.further.study?.variables[one.name];
+        one.interval = about.further.diagnosis?.intervals[one.name];
         box.append(makeKnob(one));
       }
       at('knobs').append(box);
@@ -264,6 +273,12 @@
       let [lower, upper] = range(one);
       if (value !== '') [lower, upper] = [Math.min(lower, Number(value)), Math.max(upper, Number(value))];
       [one.slider.min, one.slider.max, one.slider.step] = [lower, upper, 'any'];
+      if (one.interval) {
+        const [from, to] = one.interval.map((end, i) => Math.max(0, Math.min(100, 100 * ((end ?? [lower, upper][i]) - lower) / (upper - lower))));
+        const mark = one.row.querySelector('.interval rect');
+        mark.setAttribute('x', Math.min(from, 99));
+        mark.setAttribute('width', Math.max(1, to - from));
+      }
       if (document.activeElement !== one.slider || Number(one.slider.value) !== Number(value)) one.slider.value = value === '' ? lower : value;
       if (document.activeElement !== one.low) one.low.value = lower;
       if (document.activeElement !== one.high) one.high.value = upper;
@@ -357,7 +372,7 @@
     for (const y of ticks(y0, y1, 5)) out += `<path class="grid" d="M${left} ${Y(y)}H${width - right}"/><text x="${left - 6}" y="${Y(y) + 4}" text-anchor="end">${short(y)}</text>`;
     out += `<path class="axis" d="M${left} ${top}V${height - bottom}H${width - right}"/><text x="${(left + width) / 2}" y="${height - 6}" text-anchor="middle">${escape(chart.x)}</text>`;
     for (const each of chart.levels ?? []) out += `<path class="level" d="M${left} ${Y(each.value)}H${width - right}"/><text class="level-name" x="${width - right - 4}" y="${Y(each.value) - 3}" text-anchor="end">${escape(each.name)}</text>`;
-    for (const each of lines) out += `<path class="${each.of}" d="${each.points.map(([x, y], i) => `${i ? 'L' : 'M'}${X(x).toFixed(1)} ${Y(y).toFixed(1)}`).join('')}"/>`;
+    for (const each of lines) out += `<path class="${each.of}" d="${each.points.map(([x, y], i) => `${i && x >= each.points[i - 1][0] ? 'L' : 'M'}${X(x).toFixed(1)} ${Y(y).toFixed(1)}`).join('')}"/>`;  // a bench goes through its angles again and again
     if (chart.here && typeof chart.here[1] === 'number') out += `<circle class="here" cx="${X(chart.here[0])}" cy="${Y(chart.here[1])}" r="5"/>`;
     element.innerHTML = `<svg viewBox="0 0 ${width} ${height}" role="img" aria-label="${escape(chart.said)}">${out}</svg><div class="legend">${
       lines.map((each) => `<span><svg viewBox="0 0 24 8"><path class="${each.of}" d="M0 4H24"/></svg>${escape(each.name)}</span>`).join('')}<span>${escape(chart.y)}</span></div>`;
@@ -393,6 +408,32 @@
     at('command').textContent = `coilwright evaluate ${about.further.study ? 'ACTUATOR.json' : about.opened} ${options.join(' ')} --json`;
     bench.answer = answer;
     document.documentElement.dataset.ready = 'yes';
+  };
+
+  // ---- the runs of a diagnosis -------------------------------------------------------------------------------------
+  let record, errors = [];
+  const drawErrors = (those) => {
+    bench.errors = errors = those;
+    const row = (name, each) => `<tr><td>${escape(name)}, ${escape(each.unit)}</td>${['declared', 'corrected', 'turned'].map((model) => `<td data-model="${model}">${each[model] === undefined ? '…' : short(each[model])}</td>`).join('')}</tr>`;
+    at('errors').innerHTML = `<tr><th>rms error</th><th>declared</th><th>corrected</th><th>turned</th></tr>${row('this run', record.rmse)}${
+      errors.map((each) => row(`${each.quantity}, all ${each.role} runs`, each)).join('')}`;
+  };
+  const drawRecord = (those) => {
+    bench.record = record = those;
+    const line = (name, of, key) => ({name, of, x: record[key] && record.at, y: record[key]});
+    plot(at('plot-record'), {x: record.axis.replace('_', ', '), y: record.channel, nothing: 'There is nothing to show.',
+      said: `${record.channel} of the run; the error as turned is ${short(record.rmse.turned)} ${record.rmse.unit}`,
+      lines: [line('measured', 'measured', 'measured'), line('as declared', 'ghost', 'declared'), line('corrected', 'also', 'corrected'), line('as turned', 'now', 'turned')]});
+    at('thinned').textContent = record.every > 1 ? `one sample of ${record.every} is drawn` : '';
+    drawErrors(errors.map((each) => ({...each, turned: undefined})));  // those over all runs follow
+  };
+  const makeRecords = () => {
+    const given = about.further.diagnosis;
+    if (!given) return;
+    at('diagnosed').hidden = false;
+    at('verdict').textContent = given.verdict;
+    at('channel').innerHTML = given.channels.map((each, i) => `<option value="${i}">${escape(`${each.run}: ${each.channel} (${each.role})`)}</option>`).join('');
+    at('channel').addEventListener('change', refresh);
   };
 
   // ---- designs of a front or a sweep -------------------------------------------------------------------------------
@@ -591,10 +632,10 @@
     at('get-study').addEventListener('click', () => save('api/study', 'study.json', 'application/json'));
     at('get-report').addEventListener('click', () => save('api/report', 'report.html', 'text/html'));
     let width = innerWidth;
-    addEventListener('resize', () => { if (innerWidth !== width) { width = innerWidth; widths.clear(); draw(); if (curves) drawCurves(); if (about.further.designs) { drawScatter(); drawParallel(); } } });
+    addEventListener('resize', () => { if (innerWidth !== width) { width = innerWidth; widths.clear(); draw(); if (curves) drawCurves(); if (record) drawRecord(record); if (about.further.designs) { drawScatter(); drawParallel(); } } });
   };
 
-  const bench = {milliseconds: [], curveMilliseconds: [], set, load, answer: null};
+  const bench = {milliseconds: [], recordMilliseconds: [], curveMilliseconds: [], set, load, answer: null};
   globalThis.bench = bench;
   const open = async () => {
     about = await ask('api/bench');
@@ -618,6 +659,7 @@
     listen();
     tools();
     makeDesigns();
+    makeRecords();
     if (moves()) ask('api/curves', {changes: []}).then((those) => { startCurves = those; refresh(); }, refresh);
     else refresh();
     watch();

@@ -372,6 +372,13 @@ class BenchTest(ProgramTest):
         self.assertEqual(done.returncode, 2)
         self.assertEqual(done.stderr, f"coilwright: {found}: cannot be opened: it has no provenance.json that names its data set\n")
 
+    def test_says_where_nothing_tells_whether_a_folder_is_as_it_was_written(self):
+        shutil.copy(FINGER, self.folder / "actuator.json")
+        with Server(self.folder) as server:
+            self.assertEqual(server.status("api/bench"), 200)
+            self.assertEqual(server.end(), (0, f"coilwright: {self.folder}/provenance.json is not there: nothing tells whether "
+                                               "these results are as they were written\n"))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -8,7 +8,7 @@ namespace coilwright::drive {
 
 /// Connection of the coils of a bank to one pair of wires.
 enum class BankWiring { parallel, series };
-/// Their words.
+/// Their words, and those of actuator::Wiring, which has the same values.
 inline constexpr std::array<std::string_view, 2> bank_wiring_words{"parallel", "series"};
 
 /// The coils that one driver feeds. Sizes agree.

@@ -13,6 +13,7 @@
 #include "cli/search/list/listings.hpp"
 #include "coilwright/actuator/design/effect_number.hpp"
 #include "coilwright/actuator/design/parameters.hpp"
+#include "coilwright/drive/coil_bank.hpp"
 #include "coilwright/formats/actuator/actuator_argument.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/actuator/parameter_rule.hpp"
@@ -38,7 +39,6 @@ constexpr std::array operating_knobs{
     OperatingKnob{"supply_resistance_Ohm", &formats::OperatingWords::supply_resistance},
     OperatingKnob{"grasp_opening_deg", &formats::OperatingWords::grasp_opening},
     OperatingKnob{"grasp_height_mm", &formats::OperatingWords::grasp_height}};
-constexpr std::array<std::string_view, 2> wiring_words{"parallel", "series"};
 constexpr std::array<std::string_view, 4> configurations{"A", "B", "C", "D"};
 
 // "A" to "D", or the parts of a row that has no letter.
@@ -93,7 +93,7 @@ void add_operating_knobs(Json& out) {
     out.add(std::move(one));
   };
   for (const OperatingKnob& each : operating_knobs) add(each.name, {});
-  add("wiring", wiring_words);
+  add("wiring", drive::bank_wiring_words);
 }
 
 }  // namespace
@@ -153,9 +153,9 @@ Turned turned(const Bench& bench, const std::vector<std::string>& changes) {
     if (known != operating_knobs.end()) {
       said.*(known->word) = text::number_of(change, each.value);
     } else if (each.name == "wiring") {
-      const auto word = std::ranges::find(wiring_words, each.value);
-      if (word == wiring_words.end()) throw text::argument_error(change, "must be parallel or series");
-      said.wiring = static_cast<actuator::Wiring>(word - wiring_words.begin());
+      const auto word = std::ranges::find(drive::bank_wiring_words, each.value);
+      if (word == drive::bank_wiring_words.end()) throw text::argument_error(change, "must be parallel or series");
+      said.wiring = static_cast<actuator::Wiring>(word - drive::bank_wiring_words.begin());
     } else {
       design = formats::with_assignment(std::move(design), change);
     }

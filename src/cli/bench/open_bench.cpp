@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iostream>
 #include <new>
 #include <utility>
 #include <variant>
@@ -146,6 +147,9 @@ Bench open_bench(const std::string& named, std::optional<double> current) {
     bench.diagnosis = open_diagnosis(named, std::get<actuator::Design>(bench.file.content));
     bench.further.set("diagnosis", diagnosis_json(named, *bench.diagnosis));
   }
+  if (!std::filesystem::is_directory(named, none)) return bench;
+  if (const std::string why = results::why_unchecked(named); !why.empty())
+    std::cerr << fmt::format("coilwright: {}\n", why);
   return bench;
 }
 

@@ -5,6 +5,7 @@
 
 #include "coilwright/actuator/design/design.hpp"
 #include "coilwright/actuator/operating_point.hpp"
+#include "coilwright/drive/coil_bank.hpp"
 #include "coilwright/magnetics/hinge_torque.hpp"
 #include "coilwright/magnetics/thick_coil.hpp"
 #include "coilwright/text/row.hpp"
@@ -23,7 +24,7 @@ inline constexpr Words<3> hinge_words{"slit", "slot", "beam"};
 inline constexpr Words<2> damping_words{"loss_factor", "proportional"};
 inline constexpr Words<2> ampacity_words{"law", "table"};
 inline constexpr Words<2> film_words{"calibrated", "still_air"};
-inline constexpr Words<2> wiring_words{"parallel", "series"};
+static_assert(static_cast<int>(actuator::Wiring::series) == static_cast<int>(drive::BankWiring::series));
 inline constexpr Words<3> cases_words{"both", "free", "gripping"};
 
 /// Where the current of a pair's coil flows.
@@ -72,7 +73,8 @@ inline constexpr std::array operating_rows = [] {
       text::choice_row<&Point::cases>("cases", cases_words,
                                       "In which poses it is held, for heat: moving free, gripping a wall, or both, of "
                                       "which the worse counts"),
-      text::choice_row<&Point::supply, &Supply::wiring>("wiring", wiring_words, "How the coils hang on the supply"),
+      text::choice_row<&Point::supply, &Supply::wiring>("wiring", drive::bank_wiring_words,
+                                                        "How the coils hang on the supply"),
       row<&Point::supply, &Supply::resistance>("supply_resistance_Ohm", text::non_negative,
                                                "Inside the battery or supply, with its leads"),
       row<&Point::supply, &Supply::voltage>("supply_voltage_V", text::positive,

@@ -89,9 +89,32 @@ try {
   await gap.fill('-1');
   await gap.press('Enter');
   await page.locator('#refused', {hasText: 'gap_mm=-1: must be'}).waitFor();
+  // What then stands there is of an earlier design, and says so; nothing is taken away of it.
+  assert.equal(await page.locator('#state').textContent(), 'figures of an earlier design');
+  for (const id of ['get-actuator', 'get-study', 'search']) assert.ok(await page.locator(`#${id}`).isDisabled(), id);
   await page.click('#undo');
   await shown(page, changes);
   assert.equal(await page.locator('#refused').isVisible(), false);
+  assert.match(await page.locator('#state').textContent(), /limits? (broken|kept)|all limits kept/);
+  assert.ok(await page.locator('#get-actuator').isEnabled());
+  await gap.fill('wide');
+  await gap.press('Enter');
+  await page.locator('.knob [role="alert"]', {hasText: 'gap_mm must be a number; got wide.'}).waitFor();
+  await gap.fill('1,15');
+  await gap.press('Enter');
+  assert.equal(await page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get('gap_mm')), '1.15');
+  await shown(page, changes);
+  // A double click hits the field both times, whatever was in focus before.
+  const before = await page.evaluate(() => location.href);
+  await page.locator('#knob-turns_axial').focus();
+  await page.locator('#knob-wire_gauge_AWG').dblclick();
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'knob-wire_gauge_AWG');
+  assert.equal(await page.evaluate(() => location.href), before);
+  // Numbers that the design leaves open can be stated.
+  assert.equal(await page.locator('#knob-filler').isVisible(), false);
+  await page.check('#all');
+  assert.ok(await page.locator('#knob-filler').isVisible());
+  await page.uncheck('#all');
   assert.deepEqual(complaints.filter((each) => !each.includes('422')), []);
   complaints.length = 0;
 

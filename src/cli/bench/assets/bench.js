@@ -124,6 +124,12 @@
 
   // ---- asking: one question at a time, then the newest --------------------------------------------------------------
   let wanted = 0, shown = 0, busy = false, moved = 0, rest = null;
+  // Where the design is refused, or the server gone, what stands to the right is of an earlier one.
+  const ofEarlier = (is) => {
+    document.body.classList.toggle('earlier', is);
+    for (const id of ['get-actuator', 'get-study', 'get-report', ...Object.keys(kinds)]) at(id).disabled = is || document.documentElement.dataset.work === 'running' && id in kinds;
+    if (is && at('state')) at('state').textContent = 'figures of an earlier design';
+  };
   const refresh = () => {
     ++wanted;
     moved = performance.now();
@@ -143,13 +149,16 @@
         answer = await ask('api/evaluate', {changes: listed()});
         start ??= answer;
         at('refused').hidden = true;
+        ofEarlier(false);
         draw();
         bench.milliseconds.push(performance.now() - when);
       } catch (error) {
         if (error instanceof Refusal && error.status === 422) {
           at('refused').hidden = false;
           at('refused').textContent = error.message;
+          ofEarlier(true);
         } else if (!(error instanceof Refusal)) {
+          ofEarlier(true);
           break;  // the server is gone: it is asked again when it is back
         }
       }
@@ -190,19 +199,24 @@
     const [lower, upper] = range(one);
     return one.whole ? 1 : one.given?.step || nice(Math.max(upper - lower, 1e-9) / 200);
   };
+  const complain = (one, text) => {
+    const place = one.row.querySelector('[role="alert"]');
+    place.hidden = !text;
+    place.textContent = text;
+  };
   const makeKnob = (one) => {
     const row = document.createElement('div');
     row.className = 'knob';
     const id = `knob-${one.name}`, name = escape(one.name.replace(/_/g, '_\u200b'));
     const field = one.words
       ? `<select class="value" id="${id}">${one.words.map((word) => `<option>${escape(word)}</option>`).join('')}</select>`
-      : `<input class="value" id="${id}" type="number" step="any" aria-describedby="${id}-help">`;
+      : `<input class="value" id="${id}" inputmode="decimal" aria-describedby="${id}-help">`;
     row.innerHTML = `<input type="checkbox" class="vary" title="vary in a search" aria-label="vary ${escape(one.name)} in a search">
       <label for="${id}">${name}</label>${field}<button type="button" class="back" title="back to where it started" aria-label="${escape(one.name)} back to where it started">↺</button>
       ${one.words ? '' : `<div class="slide"><input type="number" step="any" class="low" aria-label="lower end of ${escape(one.name)}">
       <input type="range" aria-label="${escape(one.name)}"><input type="number" step="any" class="high" aria-label="upper end of ${escape(one.name)}">${one.interval ? '<svg class="interval" viewBox="0 0 100 1" preserveAspectRatio="none" aria-hidden="true"><rect height="1"/></svg>' : ''}</div>`}
       ${one.interval ? `<p class="surely">95 %: ${one.interval.map((end) => end === null ? 'open' : short(end)).join(' to ')}</p>` : ''}
-      <p class="help" id="${id}-help">${escape(one.meaning)}${one.range ? ` Allowed: ${escape(one.range)}.` : ''} <span class="was"></span></p>`;
+      <p class="help" id="${id}-help">${escape(one.meaning)}${one.range ? ` Allowed: ${escape(one.range)}.` : ''} <span class="was"></span></p><p class="wrong bad" role="alert" hidden></p>`;
     const find = (selector) => row.querySelector(selector);
     one.row = row;
     one.field = find('.value');
@@ -210,7 +224,13 @@
     one.low = find('.low');
     one.high = find('.high');
     one.box = find('.vary');
-    one.field.addEventListener('change', () => { if (one.field.value !== '') set(one.name, one.field.value); else { delete state.changes[one.name]; keep(); refresh(); } });
+    one.field.addEventListener('change', () => {
+      const text = one.field.value.trim(), number = Number(text.replace(',', '.'));
+      const is = one.words || text === '' || Number.isFinite(number);
+      complain(one, is ? '' : `${one.name} must be a number; got ${text}.`);
+      if (!is) return;
+      if (text !== '') set(one.name, one.words ? text : text.replace(',', '.')); else { delete state.changes[one.name]; keep(); refresh(); }
+    });
     find('.back').addEventListener('click', () => { delete state.changes[one.name]; keep(); refresh(); one.field.focus(); });
     one.box.addEventListener('change', () => {
       const now = new Set(state.vary ?? about.vary);
@@ -224,8 +244,11 @@
       one.slider.addEventListener('input', () => set(one.name, value(), false));
       one.slider.addEventListener('change', () => set(one.name, value()));
       const ends = () => {
-        const [lower, upper] = [Number(one.low.value), Number(one.high.value)];
-        if (one.low.value !== '' && one.high.value !== '' && lower < upper) state.ranges[one.name] = [lower, upper];
+        const value = Number(state.changes[one.name] ?? answer.values[one.name]), known = Number.isFinite(value);
+        const lower = Math.min(Number(one.low.value), known ? value : Infinity), upper = Math.max(Number(one.high.value), known ? value : -Infinity);
+        const is = one.low.value !== '' && one.high.value !== '' && lower < upper && lower >= (one.lower ?? -Infinity) && upper <= (one.upper ?? Infinity);
+        if (is) state.ranges[one.name] = [lower, upper];
+        complain(one, is ? '' : `The ends must be numbers, the lower one first${one.range ? `, each ${one.range}` : ''}.`);
         keep();
         mark();
       };
@@ -253,13 +276,17 @@
       at('knobs').append(box);
     }
     at('knobs').addEventListener('submit', (event) => event.preventDefault());
+    const tell = (event) => { const help = event.target.closest('.knob')?.querySelector('.help'); if (help) at('meaning').innerHTML = help.innerHTML; };
+    for (const of of ['focusin', 'pointerover']) at('knobs').addEventListener(of, tell);
+    at('knobs').append(at('meaning'));
+    at('all').addEventListener('change', mark);
   };
   // The knobs as the state has them, before the server has answered.
   const mark = () => {
     for (const [name, one] of knobs) {
       const known = answer ?? start;
       const optional = one.group === 'operating point' || one.group === 'row';
-      one.row.hidden = !(optional || name in known.values || name in state.changes);
+      one.row.hidden = !(at('all').checked || optional || name in known.values || name in state.changes);
       const value = state.changes[name] ?? known.values[name] ?? '';
       const changed = name in state.changes || (start && String(start.values[name] ?? '') !== String(value));
       one.row.classList.toggle('changed', changed);
@@ -321,8 +348,9 @@
     if (at('quantities').closest('details').open)
       at('quantities').innerHTML = `${head}<th>meaning</th></tr>${about.quantities.map((each) => row(each.name, true)).join('')}`;
     const broken = limitRows().filter((each) => each.broken && !each.conditional).length;
+    const minds = limitRows().filter((each) => each.broken && each.conditional).length;
     at('figures').innerHTML = about.main.map((name) => `<div title="${escape(meaning(name))}">${escape(name)} <b>${short(answer.evaluation[name])}</b></div>`).join('') +
-      `<div class="${broken ? 'bad' : ''}"><b>${broken ? `${broken} limit${broken > 1 ? 's' : ''} broken` : 'all limits kept'}</b></div>`;
+      `<div class="${broken ? 'bad' : ''}"><b id="state">${broken ? `${broken} limit${broken > 1 ? 's' : ''} broken` : 'all limits kept'}${minds ? `, ${minds} to mind` : ''}</b></div>`;
   };
   const parsed = (svg) => new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement;
   const drawSection = () => {
@@ -371,8 +399,9 @@
     for (const x of xs) out += `<path class="grid" d="M${X(x)} ${top}V${height - bottom}"/><text x="${X(x)}" y="${height - bottom + 14}" text-anchor="middle">${chart.log ? x : short(x)}</text>`;
     for (const y of ticks(y0, y1, 5)) out += `<path class="grid" d="M${left} ${Y(y)}H${width - right}"/><text x="${left - 6}" y="${Y(y) + 4}" text-anchor="end">${short(y)}</text>`;
     out += `<path class="axis" d="M${left} ${top}V${height - bottom}H${width - right}"/><text x="${(left + width) / 2}" y="${height - 6}" text-anchor="middle">${escape(chart.x)}</text>`;
-    for (const each of chart.levels ?? []) out += `<path class="level" d="M${left} ${Y(each.value)}H${width - right}"/><text class="level-name" x="${width - right - 4}" y="${Y(each.value) - 3}" text-anchor="end">${escape(each.name)}</text>`;
+    for (const [i, each] of (chart.levels ?? []).entries()) out += `<path class="level" d="M${left} ${Y(each.value)}H${width - right}"/><text class="level-name" x="${width - right - 4}" y="${Y(each.value) - 3}" text-anchor="end" dx="${-90 * i}">${escape(each.name)}</text>`;
     for (const each of lines) out += `<path class="${each.of}" d="${each.points.map(([x, y], i) => `${i && x >= each.points[i - 1][0] ? 'L' : 'M'}${X(x).toFixed(1)} ${Y(y).toFixed(1)}`).join('')}"/>`;  // a bench goes through its angles again and again
+    if (chart.dots) for (const [x, y] of lines.at(-1).points) out += `<circle class="dot" cx="${X(x)}" cy="${Y(y)}" r="2.5"/>`;
     if (chart.here && typeof chart.here[1] === 'number') out += `<circle class="here" cx="${X(chart.here[0])}" cy="${Y(chart.here[1])}" r="5"/>`;
     element.innerHTML = `<svg viewBox="0 0 ${width} ${height}" role="img" aria-label="${escape(chart.said)}">${out}</svg><div class="legend">${
       lines.map((each) => `<span><svg viewBox="0 0 24 8"><path class="${each.of}" d="M0 4H24"/></svg>${escape(each.name)}</span>`).join('')}<span>${escape(chart.y)}</span></div>`;
@@ -381,7 +410,7 @@
   const drawCurves = () => {
     const one = (id, key, y) => {
       at(id).classList.remove('stale');
-      plot(at(id), {x: 'current, A', y, zero: true, here: [answer.values.current_A, answer.evaluation[key]], nothing: 'There is no value at any current.',
+      plot(at(id), {x: 'current, A', y, zero: true, dots: true, here: [answer.values.current_A, answer.evaluation[key]], nothing: 'There is no value at any current.',
         said: `${y} over the current; ${short(answer.evaluation[key])} at ${short(answer.values.current_A)} A`,
         lines: [...(moves() && startCurves ? [{name: 'at first', of: 'ghost', x: startCurves.current_A, y: startCurves[key]}] : []), {name: 'now', of: 'now', x: curves.current_A, y: curves[key]}]});
     };
@@ -530,7 +559,7 @@
   let following = false;
   const showWork = (work) => {
     const runs = work.state === 'running';
-    for (const id of Object.keys(kinds)) at(id).disabled = runs;
+    for (const id of Object.keys(kinds)) at(id).disabled = runs || document.body.classList.contains('earlier');
     at('stop').hidden = at('progress').hidden = !runs;
     if (runs && work.of) { at('bar').max = work.of; at('bar').value = work.done; } else at('bar').removeAttribute('value');
     at('progress-text').textContent = runs ? (work.of ? `${work.done} of ${work.of} ${work.kind === 'yield' ? 'builds' : 'designs'}${work.kind === 'limits' ? '; then those around it' : ''}` : 'begins') : '';
@@ -586,7 +615,7 @@
     at('redo').addEventListener('click', redo);
     at('reset').addEventListener('click', () => { state.changes = {}; keep(); refresh(); });
     document.addEventListener('keydown', (event) => {
-      if (!(event.ctrlKey || event.metaKey) || event.altKey || event.target.matches('input[type="number"]')) return;
+      if (!(event.ctrlKey || event.metaKey) || event.altKey || event.target.matches('input:not([type="range"], [type="checkbox"])')) return;
       const back = event.key === 'z' && !event.shiftKey;
       if (back || event.key === 'y' || event.key.toLowerCase() === 'z') { event.preventDefault(); if (back) undo(); else redo(); }
     });
@@ -625,6 +654,7 @@
       keep();
       draw();
     });
+    at('wish-quantity').addEventListener('change', () => { const now = answer.evaluation[at('wish-quantity').value]; at('wish-value').value = typeof now === 'number' ? short(now) : ''; });
     for (const id of ['aim-sense', 'aim-quantity']) at(id).addEventListener('change', () => { state.aim = [at('aim-sense').value, at('aim-quantity').value]; keep(); draw(); });
     for (const [id, kind] of Object.entries(kinds)) at(id).addEventListener('click', () => begin(kind));
     at('stop').addEventListener('click', () => ask('api/stop', {changes: []}).catch(() => {}));

@@ -96,12 +96,11 @@ for pair in "robust_finger fastest_finger" "robust_grip strongest_grip" "robust_
   read -r robust nominal <<<"$pair"
   for of in "$nominal" "$robust"; do yield "$robust" "$of" "$robust/yield_of_$of.txt" --builds 10000; done
 done
-for robust in robust_finger robust_grip; do yield "$robust" "$robust" "$robust/worth.txt" --builds 1000 --worth 1024; done
+yield robust_finger robust_finger robust_finger/worth.txt --builds 1000 --worth 1024
+yield robust_grip robust_grip robust_grip/worth.txt --builds 1000 --worth 256
 # Searches of an hour and more: only what builds make of the nominal designs.
-for pair in "robust_D best_D" "robust_gripper lightest_gripper"; do
-  read -r robust nominal <<<"$pair"
-  yield "$robust" "$nominal" "$nominal/yield_of_$nominal.txt" --builds 10000
-done
+yield robust_D best_D best_D/yield_of_best_D.txt --builds 1000
+yield robust_gripper lightest_gripper lightest_gripper/yield_of_lightest_gripper.txt --builds 10000
 run gripper_friction pareto
 run fastest_crawler size
 run crawler_range pareto

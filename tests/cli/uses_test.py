@@ -34,13 +34,15 @@ class Uses(ProgramTest):
 
     def test_a_shipped_answer_is_judged_on_every_day(self):
         # With the room at its hot end for all builds, the same dice give the same parts: a second way to the same share.
-        study, actuator = CONFIGS / "studies/robust_A.json", CONFIGS.parent / "results/reference/robust_A/actuator.json"
-        of = [self.answer("--builds", "300", *changes, study=study, actuator=actuator)
+        study, reference = CONFIGS / "studies/robust_A.json", CONFIGS.parent / "results/reference"
+        of = [self.answer("--builds", "300", *changes, study=study, actuator=reference / "best_A/actuator.json")
               for changes in ((), ("--set", "/spread/ambient_degC/uniform/0=4.999999"))]
         for name in ("thermal_load", "irreversible_loss_pct"):
             self.assertEqual(of[0][name]["of_uses"], 1)
             self.assertAlmostEqual(of[0][name]["keeps"]["share"], of[1][name]["keeps"]["share"], delta=0.004)
         self.assertLess(of[0]["irreversible_loss_pct"]["keeps"]["high"], 0.9)
+        robust = self.answer("--builds", "300", study=study, actuator=reference / "robust_A/actuator.json")
+        self.assertGreater(robust["irreversible_loss_pct"]["keeps"]["low"], 0.94)
         self.assertNotIn("of_uses", of[0]["stroke_deg"])
 
     def test_the_summaries_say_over_what_a_share_is(self):
